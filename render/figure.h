@@ -24,6 +24,7 @@ struct Figure {
     std::vector<FigurePart> parts;
     std::string title{};                  ///< what the file says of itself, as UTF-8; empty: nothing
     std::vector<std::string> unplaced{};  ///< labels that had no room
+    std::vector<std::string> thinned{};   ///< sentences: of what not all is drawn
     bool lacks_title = false;             ///< which had no room either
     bool lacks_legend = false;            ///< likewise
 };
@@ -33,6 +34,7 @@ struct FigureLosses {
     std::vector<std::string> labels{};    ///< that had no room, in the notation of Label
     std::vector<std::string> letters{};   ///< that the format cannot write, each once
     std::vector<std::string> commands{};  ///< of formulas, that stand there as they were typed, each once
+    std::vector<std::string> thinned{};   ///< sentences: of what not all is drawn
     bool has_images = false;              ///< images, where the format has none
     bool has_title = false;               ///< a title that had no room
     bool has_legend = false;              ///< a legend likewise

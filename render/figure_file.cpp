@@ -54,7 +54,10 @@ FigureBytes figure_bytes(const Figure& figure, FigureFormat format) {
 }
 
 FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
-    FigureLosses losses{.labels = figure.unplaced, .has_title = figure.lacks_title, .has_legend = figure.lacks_legend};
+    FigureLosses losses{.labels = figure.unplaced,
+                        .thinned = figure.thinned,
+                        .has_title = figure.lacks_title,
+                        .has_legend = figure.lacks_legend};
     const bool is_tikz = format == FigureFormat::tikz;
     for (const FigurePart& part : figure.parts)
         for (const DrawCommand& command : part.list.commands) {
@@ -71,6 +74,7 @@ void add_losses(FigureLosses& losses, const FigureLosses& more) {
     add_new(losses.labels, more.labels);
     add_new(losses.letters, more.letters);
     add_new(losses.commands, more.commands);
+    if (losses.thinned.empty()) losses.thinned = more.thinned;  // numbers that differ from frame to frame
     losses.has_images = losses.has_images || more.has_images;
     losses.has_title = losses.has_title || more.has_title;
     losses.has_legend = losses.has_legend || more.has_legend;

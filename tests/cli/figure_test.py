@@ -365,9 +365,19 @@ class Svg(FigureTest):
         document = self.folder / "dense.json"
         process = run("new", "new-curve", f"@{table}", "3", "-o", document)
         self.assertEqual(process.returncode, 0, process.stderr)
-        told = "there was no room for 1000 labels or more, among them P₁, P₂, P₃, P₄, P₅, P₆, P₇, P₈; a larger figure may have it\n"
+        told = "Showing 529 of 100000 points\nthere was no room for 1000 labels or more, among them P₁, P₂, P₃, P₄, P₅, P₆, P₇, P₈; a larger figure may have it\n"
         self.assertLess(self.figure("a.svg", file=document, told=told).stat().st_size, 1_000_000)
 
+    def test_how_many_of_many_marks_are_drawn_is_told(self):
+        n = 10_000
+        knots = [0, 0, 0, *range(n - 2), n - 3, n - 3, n - 3]
+        file = self.document(curves=[{"name": "many", "degree": 3, "knots": knots, "points": [[i, i % 2] for i in range(n)]}], active=0)
+        process = run("figure", file, "-o", self.folder / "a.svg", "--show", "points")
+        told = re.fullmatch(r".*: Showing (\d+) of 10000 points\n", process.stderr)
+        self.assertTrue(told, process.stderr)
+        self.assertEqual(int(told[1]), len(Picture(self.folder / "a.svg").circles_of(3)), "the ends are drawn over them once more")
+        self.assertRegex(run("figure", file, "-o", self.folder / "b.svg", "--show", "comb").stderr, r": The comb has teeth at \d+ of 9997 spans\n")
+        self.assertEqual(run("figure", file, "-o", self.folder / "c.svg", "--show", "polygon").stderr, "", "of which nothing is left out")
 
     def test_labels_of_small_figures_stay_off_the_curve(self):
         for example, at in (("wave", "0.4"), ("knots-t4", "2.5")):

@@ -140,7 +140,10 @@ render::DrawList scene_with(const EditorState& state, const CanvasMode& mode, co
         CanvasMarks marks = marks_of(frame, moving);
         const ShownPoints points = points_to_draw(frame, marks.points, moving);
         draw_lines_of_active_curve(frame, list, marks, points, moving);
-        if (state.view.parts.window) notes = crowd_notes(frame, marks);
+        if (state.view.parts.window)
+            notes = crowd_notes(frame, marks);
+        else
+            cache.thinned() = thinned_texts(frame, marks, points);
         for (const CrowdNote& note : notes) covered.push_back(note.box);
         draw_marks_of_active_curve(frame, list, marks, covered, points);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/text_size.h"
@@ -26,19 +27,17 @@ std::string shown_points_text(const ShownPoints& points) {
 }
 
 /// About points alone where there is no room for more.
-std::string marks_text(const CanvasMarks& marks, double room) {
-    const std::size_t knots = knot_count(marks.knots);
-    const bool has_all_points = !marks.points.crowd.is_thinned;
-    if (has_all_points && !marks.knots.is_thinned) return "";
-    if (!marks.knots.is_thinned) return shown_points_text(marks.points);
+std::string marks_text(const ShownPoints& points, const ShownKnots& marked, double room) {
+    const std::size_t knots = knot_count(marked);
+    const bool has_all_points = !points.crowd.is_thinned;
+    if (has_all_points && !marked.is_thinned) return "";
+    if (!marked.is_thinned) return shown_points_text(points);
     if (has_all_points)
-        return core::sentence("Showing {shown} of {count} knots", {{"shown", knots}, {"count", marks.knots.seen}});
-    const std::string both = core::sentence("Showing {shown} of {count} points and {knots} of {knot_count} knots",
-                                            {{"shown", marks.points.crowd.shown.size()},
-                                             {"count", marks.points.seen},
-                                             {"knots", knots},
-                                             {"knot_count", marks.knots.seen}});
-    return text_size(both, note_size).x <= room ? both : shown_points_text(marks.points);
+        return core::sentence("Showing {shown} of {count} knots", {{"shown", knots}, {"count", marked.seen}});
+    const std::string both = core::sentence(
+        "Showing {shown} of {count} points and {knots} of {knot_count} knots",
+        {{"shown", points.crowd.shown.size()}, {"count", points.seen}, {"knots", knots}, {"knot_count", marked.seen}});
+    return text_size(both, note_size).x <= room ? both : shown_points_text(points);
 }
 
 std::string thinned_text(const char* pattern, const Thinned& thinned) {
@@ -59,8 +58,9 @@ std::string rounding_text(const CanvasFrame& frame) {
 }
 
 /// From below.
-std::vector<std::string> note_texts(const CanvasFrame& frame, const CanvasMarks& marks, double room) {
-    std::vector<std::string> texts{rounding_text(frame), marks_text(marks, room),
+std::vector<std::string> note_texts(const CanvasFrame& frame, const CanvasMarks& marks, const ShownPoints& points,
+                                    double room) {
+    std::vector<std::string> texts{rounding_text(frame), marks_text(points, marks.knots, room),
                                    thinned_text("Showing {shown} of {count} Bézier polygons", marks.pieces),
                                    thinned_text("Showing {shown} of {count} hulls", marks.hulls),
                                    thinned_text("The comb has teeth at {shown} of {count} spans", marks.comb_spans)};
@@ -93,10 +93,15 @@ double above_legend(const CanvasFrame& frame) {
 
 }  // namespace
 
+std::vector<std::string> thinned_texts(const CanvasFrame& frame, const CanvasMarks& marks, const ShownPoints& points) {
+    return note_texts(frame, marks, points, std::numeric_limits<double>::infinity());
+}
+
 std::vector<CrowdNote> crowd_notes(const CanvasFrame& frame, const CanvasMarks& marks) {
     std::vector<CrowdNote> notes;
     double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
-    for (std::string& text : note_texts(frame, marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
+    for (std::string& text :
+         note_texts(frame, marks, marks.points, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
         if (meets_legend(frame, note_at(frame, text, y).box)) y = above_legend(frame);
         notes.push_back(note_at(frame, std::move(text), y));
         y -= frame.pen.px(note_step);

@@ -14,6 +14,9 @@ struct CrowdNote {
     render::PixelBox box;
 };
 
+/// What tells how many of these marks are drawn, where not all are, as sentences for a figure that has `points`.
+std::vector<std::string> thinned_texts(const CanvasFrame& frame, const CanvasMarks& marks, const ShownPoints& points);
+
 /// Those that are needed, in a lower corner, one above the other.
 std::vector<CrowdNote> crowd_notes(const CanvasFrame& frame, const CanvasMarks& marks);
 

@@ -77,8 +77,9 @@ class FigurePage {
         figure_.parts.back().is_prose = true;
     }
 
-    void lacks(const std::vector<std::string>& labels, bool lacks_legend) {
-        figure_.unplaced = labels;
+    void lacks(SceneCache& cache, bool lacks_legend) {
+        figure_.unplaced = cache.unplaced();
+        figure_.thinned = cache.thinned();
         figure_.lacks_legend = lacks_legend;
     }
 
@@ -142,7 +143,7 @@ render::Figure composed(EditorState state, const FigureForm& form, const FigureH
     }
     if (has_plot(form.view))
         page.add(plot_scene(state, PlotIdle{}, {width, heights.plot}, cache), heights.plot, page.theme().panel);
-    page.lacks(cache.unplaced(), lacks_legend);
+    page.lacks(cache, lacks_legend);
     spots = std::move(cache.label_spots());
     return page.take();
 }

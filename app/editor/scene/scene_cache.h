@@ -82,6 +82,9 @@ class SceneCache {
     /// The labels that the last picture of the canvas, or that and the plot of a figure, had no room for.
     std::vector<std::string>& unplaced() { return unplaced_; }
 
+    /// Sentences that tell of what a figure draws not all.
+    std::vector<std::string>& thinned() { return thinned_; }
+
     /// Where the labels of an animation stood before; empty in the window and for figures that stand still.
     LabelSpots& label_spots() { return label_spots_; }
 
@@ -96,6 +99,7 @@ class SceneCache {
     FilledShapes fills_;
     BasisCache basis_;
     std::vector<std::string> unplaced_;
+    std::vector<std::string> thinned_;
     LabelSpots label_spots_;
 };
 

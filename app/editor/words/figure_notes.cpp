@@ -56,6 +56,7 @@ std::vector<std::string> figure_notes(const render::FigureLosses& losses) {
     if (losses.has_title)
         notes.emplace_back("there was no room for the title; a larger figure or a shorter title has it");
     if (losses.has_legend) notes.emplace_back("there was no room for the legend; a larger figure may have it");
+    notes.insert(notes.end(), losses.thinned.begin(), losses.thinned.end());
     if (!losses.labels.empty()) notes.push_back(note_on_labels(losses.labels));
     if (!losses.letters.empty()) notes.push_back(note_on_letters(losses.letters));
     if (!losses.commands.empty()) notes.push_back(note_on_commands(losses.commands));
