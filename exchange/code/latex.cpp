@@ -53,18 +53,27 @@ std::string row_text(std::size_t i, core::Point point, const double* weight) {
     return fmt::format("  {} & {} & {}{} \\\\\n", i, latex_number(point.x), latex_number(point.y), end);
 }
 
+std::string table_text(const core::Curve& curve, std::size_t begin, std::size_t end) {
+    const bool rational = curve.is_rational();
+    std::string rows;
+    for (std::size_t i = begin; i < end; ++i)
+        rows += row_text(i, curve.control_points()[i], rational ? &curve.weights()[i] : nullptr);
+    return fmt::format(R"(\[
+\begin{{array}}{{{columns}}}
+  i & x_i & y_i{weight} \\ \hline
+{rows}\end{{array}}
+\]
+)",
+                       fmt::arg("columns", rational ? "c|ccc" : "c|cc"), fmt::arg("weight", rational ? " & w_i" : ""),
+                       fmt::arg("rows", rows));
+}
+
 // Tables of the control points, between which a page may end.
 std::string tables_text(const core::Curve& curve) {
-    const bool rational = curve.is_rational();
     const std::size_t count = curve.control_points().size();
     std::string tables;
-    for (std::size_t begin = 0; begin < count; begin += rows_of_table) {
-        tables += fmt::format("\\[\n\\begin{{array}}{{{}}}\n  i & x_i & y_i{} \\\\ \\hline\n",
-                              rational ? "c|ccc" : "c|cc", rational ? " & w_i" : "");
-        for (std::size_t i = begin; i < std::min(begin + rows_of_table, count); ++i)
-            tables += row_text(i, curve.control_points()[i], rational ? &curve.weights()[i] : nullptr);
-        tables += "\\end{array}\n\\]\n";
-    }
+    for (std::size_t begin = 0; begin < count; begin += rows_of_table)
+        tables += table_text(curve, begin, std::min(begin + rows_of_table, count));
     return tables;
 }
 
