@@ -4,7 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/scene/figure_scene.h"
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 

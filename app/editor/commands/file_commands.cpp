@@ -3,7 +3,7 @@
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 #include "app/editor/words/native_name.h"
 #include "core/base/sentence.h"
 

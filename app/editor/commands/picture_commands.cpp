@@ -6,7 +6,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/picture_list.h"
 #include "app/editor/fields/field_kinds.h"
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 #include "app/picture/image_file.h"
 #include "core/base/sentence.h"
 

@@ -6,7 +6,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/recovery/held_journal.h"
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 
 namespace batten::editor {
 

@@ -8,7 +8,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/pointer/fit_view.h"
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
 #include "app/editor/words/refusal.h"

@@ -1,7 +1,7 @@
 #include "app/editor/state/picture_gauge.h"
 
 #include "app/editor/commands/picture_commands.h"
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 #include "app/editor/state/state.h"
 
 namespace batten::editor {

@@ -6,8 +6,8 @@
 
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/scene/legend.h"
-#include "app/editor/state/dialog.h"
 #include "app/editor/state/picture_gauge.h"
+#include "app/editor/state/show_dialog.h"
 #include "app/editor/state/state.h"
 #include "app/editor/upkeep.h"
 #include "render/orbit_camera.h"

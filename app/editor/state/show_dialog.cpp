@@ -1,4 +1,4 @@
-#include "app/editor/state/dialog.h"
+#include "app/editor/state/show_dialog.h"
 
 namespace batten::editor {
 
