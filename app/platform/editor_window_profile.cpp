@@ -55,9 +55,12 @@ editor::Outcome<void> EditorWindow::prepare(const ProfileOptions& options) {
     for (const std::string& typed : options.commands) {
         if (!prepared) break;
         draw_scripted({});
-        prepared = editor::parse_typed_command(typed, editor_.state()).and_then([this](const editor::Command& command) {
-            return run_whole(command);
-        });
+        prepared =
+            editor::parse_typed_command(typed, editor_.state())
+                .and_then([this](const editor::Command& command) { return run_whole(command); })
+                .map_error([&](const editor::Refusal& refusal) {
+                    return core::sentence("--do '{command}': {refusal}", {{"command", typed}, {"refusal", refusal}});
+                });
     }
     return prepared;
 }
