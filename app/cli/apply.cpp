@@ -66,10 +66,10 @@ void print_operation(std::ostream& out, const editor::EditorState& state, const 
     for (const editor::Finding& finding : state.findings->rows) print(out, finding);
 }
 
-ExitStatus say_wrong_usage(Output output, const ApplyOptions& options, const editor::Refusal& refusal) {
-    say(output, core::sentence("batten {subcommand}: {refusal}",
-                               {{"subcommand", options.file ? "apply" : "new"}, {"refusal", refusal}}));
-    return ExitStatus::wrong_usage;
+ExitStatus say_wrong_words(Output output, const ApplyOptions& options, const editor::Refusal& refusal) {
+    return say_wrong_usage(output,
+                           core::sentence("batten {subcommand}: {refusal}",
+                                          {{"subcommand", options.file ? "apply" : "new"}, {"refusal", refusal}}));
 }
 
 std::string place_of(std::size_t index, const Operation& operation) {
@@ -105,9 +105,9 @@ ExitStatus run(editor::Editor& editor, const ApplyOptions& options, Output outpu
     bool is_input_read = options.file && is_standard(*options.file);
     for (std::size_t i = 0; !reader.is_at_end(); ++i) {
         editor::Outcome<Operation> operation = reader.take(editor.state().history.present());
-        if (!operation) return say_wrong_usage(output, options, operation.error());
+        if (!operation) return say_wrong_words(output, options, operation.error());
         if (reads_input_again(*operation, is_input_read))
-            return say_wrong_usage(output, options, "standard input, -, can be read only once");
+            return say_wrong_words(output, options, "standard input, -, can be read only once");
         if (const auto refusal = run(editor, *operation)) {
             say_error(output, name_of_input(options), place_of(i, *operation), *refusal);
             return ExitStatus::wrong_input;
@@ -154,7 +154,7 @@ ExitStatus save(const core::Document& document, const std::filesystem::path& fil
 }  // namespace
 
 ExitStatus apply(const ApplyOptions& options, Output output) {
-    if (const auto refusal = editor::foreign_result(options.result)) return say_wrong_usage(output, options, *refusal);
+    if (const auto refusal = editor::foreign_result(options.result)) return say_wrong_words(output, options, *refusal);
     std::optional<core::Document> document = first_document(options, output);
     if (!document) return ExitStatus::wrong_input;
     editor::Editor editor(*std::move(document));

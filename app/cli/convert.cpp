@@ -41,10 +41,8 @@ core::FileResult<void> write(const ConvertOptions& options, const std::string& t
 }  // namespace
 
 ExitStatus convert(const ConvertOptions& options, Output output) {
-    if (const auto refusal = options.to ? std::nullopt : editor::foreign_result(options.result)) {
-        say(output, core::sentence("batten convert: {refusal}", {{"refusal", *refusal}}));
-        return ExitStatus::wrong_usage;
-    }
+    if (const auto refusal = options.to ? std::nullopt : editor::foreign_result(options.result))
+        return say_wrong_usage(output, core::sentence("batten convert: {refusal}", {{"refusal", *refusal}}));
     const core::FileResult<exchange::Imported> read = read_curves(options.file, options.from);
     if (!read) {
         say_error(output, options.file, read.error());

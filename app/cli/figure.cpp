@@ -77,8 +77,7 @@ Written write_all(FigureFrames& frames, const FigureOrder& order, const FigureOp
 }
 
 ExitStatus say_wrong_order(Output output, const std::string& what) {
-    say(output, core::sentence("batten figure: {problem}", {{"problem", what}}));
-    return ExitStatus::wrong_usage;
+    return say_wrong_usage(output, core::sentence("batten figure: {problem}", {{"problem", what}}));
 }
 
 /// What is wrong with the name of the frames, if anything is.

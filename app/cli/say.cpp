@@ -49,4 +49,9 @@ void say(Output output, const std::string& sentence) {
     output.errors << printable(without_long_words(sentence)) << '\n';
 }
 
+ExitStatus say_wrong_usage(Output output, const std::string& sentence) {
+    say(output, sentence);
+    return ExitStatus::wrong_usage;
+}
+
 }  // namespace batten::cli

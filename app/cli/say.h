@@ -11,6 +11,9 @@ namespace batten::cli {
 /// not UTF-8, becomes a question mark.
 void say(Output output, const std::string& sentence);
 
+/// The same for a command line that is wrong; returns that.
+ExitStatus say_wrong_usage(Output output, const std::string& sentence);
+
 /// `text` as it is printed by say().
 std::string printable(const std::string& text);
 
