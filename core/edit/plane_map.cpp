@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/detail/angle.h"
-#include "core/base/detail/double_double.h"
+#include "core/base/double_double.h"
 
 namespace batten::core {
 

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "core/base/detail/double_double.h"
 #include "core/base/detail/unit_interval.h"
+#include "core/base/double_double.h"
 #include "core/curve/control_box.h"
 #include "core/measure/detail/piece_integral.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/detail/double_double.h"
 #include "core/base/detail/unit_interval.h"
+#include "core/base/double_double.h"
 #include "core/curve/control_box.h"
 #include "core/evaluate/detail/precise_jet.h"
 #include "core/evaluate/detail/subdivide.h"

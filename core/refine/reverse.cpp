@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/detail/double_double.h"
+#include "core/base/double_double.h"
 
 namespace batten::core {
 

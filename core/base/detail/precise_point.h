@@ -1,7 +1,7 @@
 /// Homogeneous points in twice the precision, for what a few digits are left of.
 #pragma once
 
-#include "core/base/detail/double_double.h"
+#include "core/base/double_double.h"
 #include "core/base/geometry.h"
 
 namespace batten::core {

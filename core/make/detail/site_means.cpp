@@ -4,8 +4,8 @@
 #include <array>
 #include <cassert>
 
-#include "core/base/detail/double_double.h"
 #include "core/base/detail/vectorized.h"
+#include "core/base/double_double.h"
 
 namespace batten::core {
 

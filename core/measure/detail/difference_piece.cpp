@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/detail/binomial.h"
-#include "core/base/detail/double_double.h"
+#include "core/base/double_double.h"
 #include "core/curve/detail/bspline.h"
 #include "core/evaluate/evaluate.h"
 

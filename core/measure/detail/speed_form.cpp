@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/detail/binomial.h"
-#include "core/base/detail/double_double.h"
 #include "core/base/detail/vectorized.h"
+#include "core/base/double_double.h"
 #include "core/curve/detail/known_degree.h"
 
 namespace batten::core {
