@@ -8,6 +8,7 @@ namespace batten::exchange {
 
 namespace {
 
+using core::DoubleDouble;
 using core::Point;
 using core::Vector;
 
@@ -35,35 +36,84 @@ struct UnitArc {
     }
 };
 
-Vector first_direction(double degrees) {
-    const double turn = std::fmod(degrees, 360.0);
-    const double quarters = turn / 90.0;
-    if (quarters == std::round(quarters)) {
-        const int quarter = (static_cast<int>(quarters) + 4) % 4;
-        return quarter == 0 ? Vector(1, 0) : quarter == 1 ? Vector(0, 1) : quarter == 2 ? Vector(-1, 0) : Vector(0, -1);
+struct PreciseVector {
+    DoubleDouble x{};
+    DoubleDouble y{};
+
+    Vector rounded() const { return {x.rounded(), y.rounded()}; }
+};
+
+// The series of sine and cosine, about the nearest quarter of a turn.
+PreciseVector precise_direction(DoubleDouble degrees) {
+    constexpr double full_turn = 360.0;
+    constexpr double quarter_turn = 90.0;
+    constexpr int last_term = 30;  // below 1e-35
+    const DoubleDouble pi(std::numbers::pi, 1.2246467991473532e-16);
+    const DoubleDouble turn = core::exact_sum(std::fmod(degrees.high, full_turn), std::fmod(degrees.low, full_turn));
+    const double quarters = std::round(turn.high / quarter_turn);
+    const DoubleDouble angle = (turn - quarters * quarter_turn) * pi / (2.0 * quarter_turn);
+    PreciseVector direction{1.0, 0.0};
+    DoubleDouble term = 1.0;
+    for (int n = 1; n <= last_term; ++n) {
+        term = term * angle / static_cast<double>(n);
+        DoubleDouble& sum = n % 2 == 0 ? direction.x : direction.y;
+        sum = n % 4 < 2 ? sum + term : sum - term;
     }
-    const double angle = turn * (std::numbers::pi / 180.0);
-    return {std::cos(angle), std::sin(angle)};
+    for (int left = (static_cast<int>(quarters) + 8) % 4; left > 0; --left) direction = {-direction.y, direction.x};
+    return direction;
+}
+
+DoubleDouble magnitude(DoubleDouble number) {
+    return number.high < 0.0 ? -number : number;
+}
+
+// Of an ellipse.
+struct Radii {
+    DoubleDouble first{};
+    DoubleDouble second{};
+    PreciseVector direction{};  // of the first one; that of a circle is any
+};
+
+Radii radii_of(const EndpointArc& arc) {
+    const DoubleDouble first = magnitude(arc.first_radius);
+    const DoubleDouble second = magnitude(arc.second_radius);
+    const bool is_circle = first.high == second.high && first.low == second.low;
+    return {first, second, is_circle ? PreciseVector{1.0, 0.0} : precise_direction(arc.rotation)};
+}
+
+// From the middle of the ends to the second one, where the ellipse is the unit circle.
+PreciseVector half_chord_of(const EndpointArc& arc, const Radii& radii) {
+    const DoubleDouble x = core::exact_sum(0.5 * arc.to.x, -0.5 * arc.from.x) + 0.5 * arc.rest.x;
+    const DoubleDouble y = core::exact_sum(0.5 * arc.to.y, -0.5 * arc.from.y) + 0.5 * arc.rest.y;
+    const PreciseVector& along = radii.direction;
+    return {(x * along.x + y * along.y) / radii.first, (y * along.x - x * along.y) / radii.second};
+}
+
+// How far the center is from the middle of the ends there. Where the arc is nearly half of its ellipse this is the root
+// of what the rounding of doubles would leave no digit of; a radius that is too small grows to reach it.
+double center_distance(const PreciseVector& half_chord, double d) {
+    if (d >= 2.0) return 0.0;
+    return std::sqrt(
+        std::max(0.0, (DoubleDouble(1.0) - half_chord.x * half_chord.x - half_chord.y * half_chord.y).rounded()));
 }
 
 }  // namespace
 
 std::vector<ConicPiece> conic_pieces(const EndpointArc& arc) {
-    const double rx = std::abs(arc.first_radius);
-    const double ry = std::abs(arc.second_radius);
+    const Radii radii = radii_of(arc);
+    const double rx = radii.first.rounded();
+    const double ry = radii.second.rounded();
     if (!(rx > 0.0 && ry > 0.0) || !std::isfinite(rx) || !std::isfinite(ry) || arc.from == arc.to) return {};
-    const Vector direction = first_direction(arc.rotation);
-    const Point middle = core::middle(arc.from, arc.to);
-    const Vector to_end = arc.to - middle;
-    const Vector half_chord{core::dot(to_end, direction) / rx, core::cross(direction, to_end) / ry};
-    const double d = core::robust_length(half_chord);
+    const PreciseVector half_chord = half_chord_of(arc, radii);
+    const double d = core::robust_length(half_chord.rounded());
     if (!(d > 0.0) || !std::isfinite(d)) return {};
     const double growth = std::max(1.0, d);
-    const UnitFrame frame{(rx * growth) * direction, (ry * growth) * core::turned_left(direction), middle};
+    const Vector direction = radii.direction.rounded();
+    const UnitFrame frame{(rx * growth) * direction, (ry * growth) * core::turned_left(direction),
+                          core::middle(arc.from, arc.to)};
 
-    const double sine = std::min(d, 1.0);
-    const double smaller = std::atan2(sine, std::sqrt((1.0 - sine) * (1.0 + sine)));
-    const Vector along = half_chord / d;
+    const double smaller = std::atan2(std::min(d, 1.0), center_distance(half_chord, d));
+    const Vector along = half_chord.rounded() / d;
     const Vector left = core::turned_left(along);
     const UnitArc unit{along, arc.is_positive ? -left : left, arc.is_large ? std::numbers::pi - smaller : smaller};
 

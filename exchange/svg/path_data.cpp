@@ -5,19 +5,32 @@
 #include <utility>
 
 #include "exchange/svg/arc.h"
+#include "exchange/svg/decimal.h"
 #include "exchange/svg/scanner.h"
 
 namespace batten::exchange {
 
 namespace {
 
+using core::DoubleDouble;
 using core::Point;
 using core::Vector;
+
+// A point, and what it lacks by rounding of the one that the numbers of the file mean, which arcs that are nearly half
+// of an ellipse magnify.
+struct RoundedPoint {
+    Point point{0.0, 0.0};
+    Vector rest{0.0, 0.0};
+};
 
 class PathReader {
   public:
     PathReader(std::string_view text, const core::PlaneMap& map, const OutlineSink& sink)
-        : scanner_(text), map_(map), sink_(sink) {}
+        : text_(text),
+          scanner_(text),
+          map_(map),
+          sink_(sink),
+          is_precise_(text.find_first_of("Aa") != std::string_view::npos) {}
 
     std::optional<std::size_t> read() {
         const bool is_right = run_commands();
@@ -94,13 +107,21 @@ class PathReader {
         }
     }
 
+    std::optional<DoubleDouble> number() {
+        const std::size_t start = scanner_.place();
+        const auto value = scanner_.number();
+        if (!value) return std::nullopt;
+        if (!is_precise_) return *value;
+        return precise_decimal(text_.substr(start, scanner_.place() - start), *value);
+    }
+
     // Reads `count` numbers or none.
     template <std::size_t count>
-    std::optional<std::array<double, count>> numbers() {
-        std::array<double, count> values{};
+    std::optional<std::array<DoubleDouble, count>> numbers() {
+        std::array<DoubleDouble, count> values{};
         for (std::size_t i = 0; i < count; ++i) {
             if (i != 0) scanner_.skip_separator();
-            const auto value = scanner_.number();
+            const auto value = number();
             if (!value) return std::nullopt;
             values[i] = *value;
         }
@@ -108,15 +129,23 @@ class PathReader {
     }
 
     template <std::size_t count>
-    std::optional<std::array<Point, count>> points() {
+    std::optional<std::array<RoundedPoint, count>> points() {
         const auto values = numbers<2 * count>();
         if (!values) return std::nullopt;
-        std::array<Point, count> points{};
-        for (std::size_t i = 0; i < count; ++i) points[i] = placed((*values)[2 * i], (*values)[2 * i + 1]);
+        std::array<RoundedPoint, count> points{};
+        for (std::size_t i = 0; i < count; ++i)
+            points[i] = {{placed(current_.point.x, (*values)[2 * i]), placed(current_.point.y, (*values)[2 * i + 1])},
+                         {rest_of(current_.point.x, current_.rest.x, (*values)[2 * i]),
+                          rest_of(current_.point.y, current_.rest.y, (*values)[2 * i + 1])}};
         return points;
     }
 
-    Point placed(double x, double y) const { return is_relative_ ? current_ + Vector(x, y) : Point(x, y); }
+    double placed(double current, DoubleDouble value) const { return is_relative_ ? current + value.high : value.high; }
+
+    // What `placed` lacks.
+    double rest_of(double current, double rest, DoubleDouble value) const {
+        return is_relative_ ? core::exact_sum(current, value.high).low + rest + value.low : value.low;
+    }
 
     bool move() {
         const auto target = points<1>();
@@ -135,31 +164,39 @@ class PathReader {
 
     bool horizontal() {
         const auto value = numbers<1>();
-        if (value) line_to({is_relative_ ? current_.x + (*value)[0] : (*value)[0], current_.y});
-        return value.has_value();
+        if (!value) return false;
+        RoundedPoint end = current_;
+        end.point.x = placed(current_.point.x, (*value)[0]);
+        end.rest.x = rest_of(current_.point.x, current_.rest.x, (*value)[0]);
+        line_to(end);
+        return true;
     }
 
     bool vertical() {
         const auto value = numbers<1>();
-        if (value) line_to({current_.x, is_relative_ ? current_.y + (*value)[0] : (*value)[0]});
-        return value.has_value();
+        if (!value) return false;
+        RoundedPoint end = current_;
+        end.point.y = placed(current_.point.y, (*value)[0]);
+        end.rest.y = rest_of(current_.point.y, current_.rest.y, (*value)[0]);
+        line_to(end);
+        return true;
     }
 
     bool cubic() {
         const auto p = points<3>();
-        if (p) cubic_to((*p)[0], (*p)[1], (*p)[2]);
+        if (p) cubic_to((*p)[0].point, (*p)[1].point, (*p)[2]);
         return p.has_value();
     }
 
     bool smooth_cubic() {
         const auto p = points<2>();
-        if (p) cubic_to(reflected('C', 'S'), (*p)[0], (*p)[1]);
+        if (p) cubic_to(reflected('C', 'S'), (*p)[0].point, (*p)[1]);
         return p.has_value();
     }
 
     bool quadratic() {
         const auto p = points<2>();
-        if (p) quadratic_to((*p)[0], (*p)[1]);
+        if (p) quadratic_to((*p)[0].point, (*p)[1]);
         return p.has_value();
     }
 
@@ -187,9 +224,15 @@ class PathReader {
         scanner_.skip_separator();
         const auto target = points<1>();
         if (!target) return false;
-        const Point end = (*target)[0];
-        const auto pieces =
-            conic_pieces({current_, (*shape)[0], (*shape)[1], (*shape)[2], *is_large, *is_positive, end});
+        const RoundedPoint end = (*target)[0];
+        const auto pieces = conic_pieces({.from = current_.point,
+                                          .first_radius = (*shape)[0],
+                                          .second_radius = (*shape)[1],
+                                          .rotation = (*shape)[2],
+                                          .is_large = *is_large,
+                                          .is_positive = *is_positive,
+                                          .to = end.point,
+                                          .rest = end.rest - current_.rest});
         if (pieces.empty()) line_to(end);
         for (const ConicPiece& piece : pieces)
             outline().conic_to(mapped(piece.corner), piece.weight, mapped(piece.end));
@@ -201,28 +244,29 @@ class PathReader {
 
     // After a closed subpath the next one begins where that began.
     Outline& outline() {
-        if (!outline_) outline_.emplace(mapped(current_));
+        if (!outline_) outline_.emplace(mapped(current_.point));
         return *outline_;
     }
 
     // The last handle seen from the other side, where the command before had one of the same degree.
     Point reflected(char kind, char smooth_kind) const {
-        return last_kind_ == kind || last_kind_ == smooth_kind ? current_ + (current_ - handle_) : current_;
+        return last_kind_ == kind || last_kind_ == smooth_kind ? current_.point + (current_.point - handle_)
+                                                               : current_.point;
     }
 
-    void line_to(Point end) {
-        outline().line_to(mapped(end));
+    void line_to(const RoundedPoint& end) {
+        outline().line_to(mapped(end.point));
         current_ = end;
     }
 
-    void quadratic_to(Point corner, Point end) {
-        outline().quadratic_to(mapped(corner), mapped(end));
+    void quadratic_to(Point corner, const RoundedPoint& end) {
+        outline().quadratic_to(mapped(corner), mapped(end.point));
         handle_ = corner;
         current_ = end;
     }
 
-    void cubic_to(Point first, Point second, Point end) {
-        outline().cubic_to(mapped(first), mapped(second), mapped(end));
+    void cubic_to(Point first, Point second, const RoundedPoint& end) {
+        outline().cubic_to(mapped(first), mapped(second), mapped(end.point));
         handle_ = second;
         current_ = end;
     }
@@ -239,12 +283,14 @@ class PathReader {
         outline_.reset();
     }
 
+    const std::string_view text_;
     Scanner scanner_;
     const core::PlaneMap& map_;
     const OutlineSink& sink_;
+    const bool is_precise_;
     std::optional<Outline> outline_;
-    Point start_{0.0, 0.0};
-    Point current_{0.0, 0.0};
+    RoundedPoint start_{};
+    RoundedPoint current_{};
     Point handle_{0.0, 0.0};
     char last_kind_ = 'Z';
     bool is_relative_ = false;

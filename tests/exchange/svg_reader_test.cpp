@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -173,6 +174,29 @@ TEST(SvgPath, ReadsTurnedEllipses) {
     for (int i = 0; i <= 100; ++i) {
         const Point p = own(core::point_at(curve, curve.domain().upper * i / 100.0));
         EXPECT_NEAR(core::distance({p.x / 8, p.y / 3}, center), 1.0, 1e-12);
+    }
+}
+
+// Where the center is so near to the middle of the ends that doubles leave no digit of its distance. The apexes are
+// those of the numbers as they are written: by Pythagoras, and by arithmetic of 50 digits.
+TEST(SvgPath, ReadsArcsOfNearlyHalfAnEllipse) {
+    struct Case {
+        std::string data;
+        double start;  // of the arc, behind so many lines
+        Point apex;
+    };
+    for (const Case& c : {Case{"M.1 .1A.5 .5 0 0 1 .7 .9", 0, {0.8, -0.2}},
+                          Case{"M.1 .1l.2 .3 .3 .4a.5 .5 0 1 0 .6 .8", 2, {0.5, -1.5}},
+                          Case{"M.1 .1h.2v.3l.3 .4a.5 .5 0 1 0 .6 .8", 3, {0.5, -1.5}},
+                          Case{"M0 0A1 1 0 0 1 1.9999999999999 0", 0, {0.99999999999995, 0.99999968377223398317}},
+                          Case{"M267.142416221 .89999087847A50-.5 30 1 1 333.057583779 39.7000091215",
+                               0,
+                               {328.18740717903399735, -36.074678421798063992}}}) {
+        const Imported imported = read_path(c.data);
+        const Curve curve = curve_of(imported);
+        const double middle = 0.5 * (c.start + curve.domain().upper);
+        expect_near(core::point_at(curve, middle), c.apex, 1e-15 * std::max(1.0, std::abs(c.apex.x)));
+        EXPECT_EQ(imported.report.largest_error, 0.0);
     }
 }
 
