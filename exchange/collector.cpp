@@ -9,12 +9,17 @@ namespace batten::exchange {
 namespace {
 
 constexpr core::PluralPattern refused{"{what} at {place} was left out: {reason}",
-                                      "{count} times {what} was left out, first at {place}: {reason}"};
+                                      "{count} entities {what} were left out, the first at {place}: {reason}"};
+constexpr core::PluralPattern refused_curve{"the curve at {place} was left out: {reason}",
+                                            "{count} curves were left out, the first at {place}: {reason}"};
 constexpr core::PluralPattern too_many{"one curve was left out, since 100000 were read before it",
                                        "{count} curves were left out, since 100000 were read before them"};
 constexpr core::PluralPattern heights{
     "{what} at {place} has heights other than 0, which were let go",
-    "{count} times {what} has heights other than 0, first at {place}, which were let go"};
+    "{count} entities {what} have heights other than 0, the first at {place}, which were let go"};
+constexpr core::PluralPattern heights_of_curve{
+    "the curve at {place} has heights other than 0, which were let go",
+    "{count} curves have heights other than 0, the first at {place}, which were let go"};
 static_assert(most_curves == 100'000);
 
 // Also where there is another defect, which is told first.
@@ -60,7 +65,7 @@ MadeCurve make_curve(core::CurveDefinition definition) {
 core::DocumentCurve* Collector::add(MadeCurve made, const std::string& wish, std::string_view what,
                                     const PlaceText& place) {
     if (!made) {
-        notes_.add(refused, place, what, made.error());
+        notes_.add(what.empty() ? refused_curve : refused, place, what, made.error());
         return nullptr;
     }
     if (is_full()) {
@@ -79,7 +84,7 @@ void Collector::leave_out_more(const PlaceText& place) {
 }
 
 void Collector::note_heights(std::string_view what, const PlaceText& place) {
-    notes_.add(heights, place, what);
+    notes_.add(what.empty() ? heights_of_curve : heights, place, what);
 }
 
 core::FileResult<Imported> Collector::finish(const char* nothing_found) && {

@@ -25,8 +25,9 @@ class Collector {
   public:
     core::Document& document() { return document_; }
 
-    /// Adds a visible curve called `wish`, or like it where that name is used; where there is none, notes that `what`
-    /// at `place` was left out. The pointer, null then, holds until the next curve comes.
+    /// Adds a visible curve called `wish`, or like it where that name is used; where there is none, notes that the
+    /// entity `what`, or a curve where that is empty, at `place` was left out. The pointer, null then, holds until the
+    /// next curve comes.
     core::DocumentCurve* add(MadeCurve made, const std::string& wish, std::string_view what, const PlaceText& place);
 
     /// Whether there is no room for another curve, which then need not be made: `leave_out_more` notes that there was
@@ -37,7 +38,7 @@ class Collector {
     /// What happened, in sentences.
     Notes& notes() { return notes_; }
 
-    /// Notes that heights of `what`, z other than 0, were let go.
+    /// Notes that heights of the entity `what`, or of a curve where that is empty, z other than 0, were let go.
     void note_heights(std::string_view what, const PlaceText& place);
 
     /// Notes that a curve is so far from what the file says, at most.

@@ -22,14 +22,12 @@ constexpr PluralPattern not_read{
     "ELLIPSE are read"};
 constexpr PluralPattern in_paper_space{
     "{what} at {place} was left out, since it is on a sheet of paper, not in the model",
-    "{count} times {what} was left out, first at {place}, since it is on a sheet of "
-    "paper, not in the model"};
+    "{count} entities {what} were left out, the first at {place}, since they are on sheets of paper, not in the model"};
 constexpr PluralPattern interpolated{
     "{what} at {place} has only points that it passes; a curve through them was made, which may be another between "
     "them",
-    "{count} times {what} has only points that it passes, first at {place}; curves through them were made, which may "
-    "be "
-    "others between them"};
+    "{count} entities {what} have only points that they pass, the first at {place}; curves through them were made, "
+    "which may be others between them"};
 constexpr PluralPattern unit_not_known{"the unit of length at {place} is not known here and was let go",
                                        "{count} units of length are not known here and were let go"};
 

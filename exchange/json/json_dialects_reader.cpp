@@ -187,7 +187,7 @@ Found opencascade_curve(JsonMembers& members) {
 }
 
 void add_curve(Collector& collector, const JsonValue& object, ReadObject read, const PlaceText& place) {
-    constexpr std::string_view what = "curve";
+    constexpr std::string_view what{};  // a curve
     if (collector.is_full()) return collector.leave_out_more(place);
     JsonMembers members(object);
     Found found = read(members);

@@ -214,6 +214,19 @@ TEST(DxfReader, InterpolatesFitPointsAndSaysSo) {
                                  "which may be another between them"});
 }
 
+TEST(DxfReader, CountsEntitiesOfOneKind) {
+    const Imported found = read(
+        "0 LINE 10 0 20 0 30 5 11 1 21 1 0 LINE 10 0 20 0 30 5 11 1 21 1 0 LINE 67 1 10 0 20 0 11 1 21 1 "
+        "0 LINE 67 1 10 0 20 0 11 1 21 1 0 SPLINE 11 0 21 0 11 1 21 1 0 SPLINE 11 0 21 0 11 1 21 1");
+    EXPECT_EQ(found.report.left_out,
+              (std::vector<std::string>{
+                  "2 entities LINE have heights other than 0, the first at line 6, which were let go",
+                  "2 entities LINE were left out, the first at line 30, since they are on sheets of paper, not in the "
+                  "model",
+                  "2 entities SPLINE have only points that they pass, the first at line 54; curves through them were "
+                  "made, which may be others between them"}));
+}
+
 TEST(DxfReader, SaysWhatItLeavesOut) {
     const Imported found = read(
         "0 INSERT 2 wheel 10 0 20 0 0 LINE 10 0 20 0 30 5 11 1 21 0 31 5 0 INSERT 2 wheel 0 TEXT 1 hello "
@@ -234,7 +247,7 @@ TEST(DxfReader, SaysWhatItLeavesOut) {
     const Imported twice =
         read("0 LINE 10 0 20 0 11 1 21 1 0 CIRCLE 40 -2 10 0 20 0 0 CIRCLE 40 0 10 0 20 0 0 CIRCLE 40 -2 10 3 20 0");
     ASSERT_EQ(twice.report.left_out.size(), 2U) << "each reason";
-    EXPECT_TRUE(twice.report.left_out[0].starts_with("2 times CIRCLE was left out, first at line 16: "));
+    EXPECT_TRUE(twice.report.left_out[0].starts_with("2 entities CIRCLE were left out, the first at line 16: "));
     EXPECT_TRUE(twice.report.left_out[1].starts_with("CIRCLE at line 24 was left out: "));
 }
 

@@ -65,7 +65,7 @@ TEST(NurbsPython, ReadsWhatTheLibraryWrites) {
     EXPECT_EQ(found->document.curves[1].name, "edge");
     EXPECT_FALSE(found->document.curves[1].curve->is_rational());
     EXPECT_EQ(found->report.left_out,
-              std::vector<std::string>{"curve at /shape/data/0 has heights other than 0, which were let go"});
+              std::vector<std::string>{"the curve at /shape/data/0 has heights other than 0, which were let go"});
 }
 
 TEST(NurbsPython, WritesWhatTheLibraryReads) {
@@ -95,7 +95,7 @@ TEST(NurbsPython, NamesBothConventionsWhereKnotsAreMissing) {
         refusal_by(read_nurbs_python,
                    R"({"shape": {"data": {"degree": 2, "knotvector": [0, 0, 1, 1],
                              "control_points": {"points": [[1, 0], [1, 1], [0, 1]]}}}})"),
-        "curve at /shape/data was left out: the number of knots is 4; for 3 control points of degree 2 it must be "
+        "the curve at /shape/data was left out: the number of knots is 4; for 3 control points of degree 2 it must be "
         "6, points + degree + 1, while 4, points + degree − 1, is Rhino-style");
 }
 
@@ -209,11 +209,10 @@ TEST(Rhino, RepeatsTheEndsOfUnclampedCurvesAndSaysSo) {
 }
 
 TEST(Rhino, NamesBothConventionsWhereThereAreTooManyKnots) {
-    EXPECT_EQ(
-        refusal_by(read_rhino, R"({"curves": [{"degree": 2, "points": [[1, 0], [1, 1], [0, 1]],
+    EXPECT_EQ(refusal_by(read_rhino, R"({"curves": [{"degree": 2, "points": [[1, 0], [1, 1], [0, 1]],
         "knots": [0, 0, 0, 1, 1, 1]}]})"),
-        "curve at /curves/0 was left out: the number of knots is 6; for 3 control points of degree 2 Rhino-style has "
-        "4, points + degree − 1, while other formats have 6, points + degree + 1");
+              "the curve at /curves/0 was left out: the number of knots is 6; for 3 control points of degree 2 "
+              "Rhino-style has 4, points + degree − 1, while other formats have 6, points + degree + 1");
 }
 
 TEST(Rhino, WritesKnotsWithoutTheEnds) {
@@ -238,19 +237,44 @@ TEST(OpenCascade, RefusesWhatDoesNotFit) {
         return refusal_by(read_opencascade,
                           R"({"curves": [{"degree": 2, "poles": [[0, 0], [2, 0], [2, 2]], )" + members + "}]}");
     };
+    EXPECT_EQ(with(R"("knots": [0, 1], "multiplicities": [3, 2])"),
+              "the curve at /curves/0 was left out: the multiplicities add up to 5, but there must be 6 knots: points "
+              "+ degree + 1, or for a periodic curve, whose first knot counts once, points + 1");
     EXPECT_EQ(
-        with(R"("knots": [0, 1], "multiplicities": [3, 2])"),
-        "curve at /curves/0 was left out: the multiplicities add up to 5, but there must be 6 knots: points + degree "
-        "+ 1, or for a periodic curve, whose first knot counts once, points + 1");
-    EXPECT_EQ(with(R"("knots": [0, 1], "multiplicities": [3])"),
-              "curve at /curves/0 was left out: the number of multiplicities is 1 and that of knots 2; each knot must "
-              "have one");
-    EXPECT_EQ(with(R"("knots": [0, 0, 1], "multiplicities": [3, 1, 3])"),
-              "curve at /curves/0 was left out: \"knots\" must increase; equal ones are counted in \"multiplicities\"");
+        with(R"("knots": [0, 1], "multiplicities": [3])"),
+        "the curve at /curves/0 was left out: the number of multiplicities is 1 and that of knots 2; each knot must "
+        "have one");
+    EXPECT_EQ(
+        with(R"("knots": [0, 0, 1], "multiplicities": [3, 1, 3])"),
+        "the curve at /curves/0 was left out: \"knots\" must increase; equal ones are counted in \"multiplicities\"");
     EXPECT_EQ(with(R"("knots": [0, 1], "multiplicities": [3, 1e9])"),
-              "curve at /curves/0 was left out: a multiplicity must be a whole number from 1 to 26");
-    EXPECT_EQ(with(R"("knots": [0, 1], "periodic": true, "multiplicities": [1, 2])"),
-              "curve at /curves/0 was left out: the first and the last multiplicity of a periodic curve must be equal");
+              "the curve at /curves/0 was left out: a multiplicity must be a whole number from 1 to 26");
+    EXPECT_EQ(
+        with(R"("knots": [0, 1], "periodic": true, "multiplicities": [1, 2])"),
+        "the curve at /curves/0 was left out: the first and the last multiplicity of a periodic curve must be equal");
+}
+
+TEST(JsonDialects, CountCurvesThatAreLeftOutForOneReason) {
+    const std::string line = R"({"degree": 1, "knots": [0, 1], "multiplicities": [2, 2], "knotvector": [0, 0, 1, 1],
+        "points": [[0, 0, 5], [1, 0, 5]], "poles": [[0, 0, 5], [1, 0, 5]],
+        "control_points": {"points": [[0, 0, 5], [1, 0, 5]]}})";
+    const std::string list = R"([{"degree": 0}, )" + line + R"(, {"degree": 0}, "x", )" + line + "]";
+    const auto expect_counted = [](const core::FileResult<Imported>& found, const std::string& place) {
+        ASSERT_TRUE(found) << found.error().sentence();
+        EXPECT_EQ(found->document.curves.size(), 2U);
+        EXPECT_EQ(found->report.left_out,
+                  (std::vector<std::string>{
+                      "2 curves were left out, the first at " + place +
+                          "/0: \"degree\" is 0, but it must be a whole number from 1 to 25",
+                      "2 curves have heights other than 0, the first at " + place + "/1, which were let go",
+                      "the curve at " + place + "/3 was left out: it is no object"}));
+    };
+    expect_counted(read_rhino(R"({"curves": )" + list + "}"), "/curves");
+    expect_counted(read_opencascade(R"({"curves": )" + list + "}"), "/curves");
+    expect_counted(read_nurbs_python(R"({"shape": {"data": )" + list + "}}"), "/shape/data");
+    const std::string flat = R"({"degree": 1, "knots": [0, 0, 1, 1], "dimension": 3,
+        "control_points": [0, 0, 5, 1, 0, 5]})";
+    expect_counted(read_tinyspline(R"([{"degree": 0}, )" + flat + R"(, {"degree": 0}, "x", )" + flat + "]"), "");
 }
 
 TEST(JsonDialects, SayWhatIsWrongAndWhere) {
@@ -258,16 +282,16 @@ TEST(JsonDialects, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal_by(read_rhino, "[1e999]"), "line 1, column 6: the number is too large; numbers must be finite");
     EXPECT_EQ(refusal_by(read_rhino, "[]"), "there are no curves in this file");
     EXPECT_EQ(refusal_by(read_rhino, "[1, 2]"), "there are no curves in this file");
-    EXPECT_EQ(refusal_by(read_rhino, "3"), "curve at the top was left out: it is no object");
+    EXPECT_EQ(refusal_by(read_rhino, "3"), "the curve at the top was left out: it is no object");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2})"),
-              "curve at the top was left out: the member \"knots\" is missing");
+              "the curve at the top was left out: the member \"knots\" is missing");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2.5})"),
-              "curve at the top was left out: \"degree\" is 2.5, but it must be a whole number from 1 to 25");
+              "the curve at the top was left out: \"degree\" is 2.5, but it must be a whole number from 1 to 25");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2, "knots": [1, "a"]})"),
-              "curve at the top was left out: \"knots\" must be a list of numbers");
+              "the curve at the top was left out: \"knots\" must be a list of numbers");
     EXPECT_EQ(
         refusal_by(read_rhino, R"({"degree": 2, "knots": [1], "points": [[1, 2], [1, 2, 3]]})"),
-        "curve at the top was left out: \"points\" must be a list of points, each a list of two or three numbers");
+        "the curve at the top was left out: \"points\" must be a list of points, each a list of two or three numbers");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2, "degree": 3})"),
               "line 1, column 22: the member \"degree\" occurs twice in one object; every name may occur once");
     EXPECT_EQ(refusal_by(read_nurbs_python, "{}"),
