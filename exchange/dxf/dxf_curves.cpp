@@ -85,13 +85,16 @@ MadeCurve ellipse_curve(const DxfEntity& entity) {
     const std::optional<Facing> facing = facing_of(entity);
     if (!facing || entity.number(31, 0.0) != 0.0)
         return because("its plane is tilted; it must lie in the plane of x and y");
+    const double ratio = entity.number(40, 1.0);
+    if (axis.back() == Point{0.0, 0.0}) return because("its first axis has no length");
+    if (ratio == 0.0) return because("its second axis has no length, since the ratio of its axes is 0");
     const double start = entity.number(41, 0.0);
     const double end = entity.number(42, 2.0 * std::numbers::pi);
     const bool is_whole = std::abs(end - start - 2.0 * std::numbers::pi) <= rounding_of_six_digits;
     const core::ArcAngles angles = is_whole ? core::ArcAngles{std::fmod(degrees * start, whole_turn)}
                                             : turn_between(degrees * start, degrees * end);
     const core::Vector major = core::vector_to(axis.back());
-    const core::Vector minor = (*facing == Facing::up ? 1.0 : -1.0) * entity.number(40, 1.0) * core::turned_left(major);
+    const core::Vector minor = (*facing == Facing::up ? 1.0 : -1.0) * ratio * core::turned_left(major);
     const core::PlaneMap map{
         {{{major.x, minor.x, center.back().x}, {major.y, minor.y, center.back().y}, {0.0, 0.0, 1.0}}}};
     return in_words(core::circular_arc({0.0, 0.0}, 1.0, angles).and_then([&](const Curve& unit) {

@@ -214,6 +214,13 @@ TEST(DxfReader, InterpolatesFitPointsAndSaysSo) {
                                  "which may be another between them"});
 }
 
+TEST(DxfReader, SaysWhichAxisOfAnEllipseHasNoLength) {
+    EXPECT_EQ(refusal_of(drawing("0 ELLIPSE 10 1 20 2 11 3 21 0 40 0")),
+              "ELLIPSE at line 6 was left out: its second axis has no length, since the ratio of its axes is 0");
+    EXPECT_EQ(refusal_of(drawing("0 ELLIPSE 10 1 20 2 11 0 21 0 40 0.5")),
+              "ELLIPSE at line 6 was left out: its first axis has no length");
+}
+
 TEST(DxfReader, CountsEntitiesOfOneKind) {
     const Imported found = read(
         "0 LINE 10 0 20 0 30 5 11 1 21 1 0 LINE 10 0 20 0 30 5 11 1 21 1 0 LINE 67 1 10 0 20 0 11 1 21 1 "
