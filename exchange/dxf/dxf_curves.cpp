@@ -126,16 +126,38 @@ Curve closed_if_wrapped(const DxfEntity& entity, Curve curve) {
     return periodic && periodic->error == 0.0 ? periodic->curve : curve;
 }
 
+bool is_closed_through_points(const DxfEntity& entity) {
+    constexpr unsigned closed = 1;
+    constexpr std::size_t least_closed = 4;
+    return entity.has_bit(70, closed) && entity.points(11, 21).size() >= least_closed;
+}
+
+// The file has directions alone. The length of the polygon is that of a derivative over [0, 1].
+core::EndTangents end_tangents(const DxfEntity& entity, std::span<const Point> points) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += core::distance(points[i - 1], points[i]);
+    const auto with_length = [&](core::Vector direction) { return length / core::length(direction) * direction; };
+    const auto tangent = [&](int x_code, int y_code) {
+        const std::optional<core::Vector> direction = entity.vector(x_code, y_code);
+        return direction ? std::optional(with_length(*direction)) : std::nullopt;
+    };
+    return {tangent(12, 22), tangent(13, 23)};
+}
+
 MadeCurve through_fit_points(const DxfEntity& entity) {
     std::vector<Point> points = entity.points(11, 21);
-    constexpr int cubic = 3;
+    constexpr std::size_t cubic = 3;
+    std::size_t conditions = points.size();
     core::InterpolationRequest request;
-    request.degree = std::clamp(static_cast<int>(std::min<std::size_t>(points.size(), 4)) - 1, 1, cubic);
-    constexpr unsigned closed = 1;
-    if (entity.has_bit(70, closed) && points.size() > cubic) {
+    if (is_closed_through_points(entity)) {
         if (points.front() == points.back()) points.pop_back();
         request.ends = core::ClosedEnds{};
+    } else if (has_end_tangents(entity)) {
+        const core::EndTangents tangents = end_tangents(entity, points);
+        conditions += (tangents.start ? 1U : 0U) + (tangents.end ? 1U : 0U);
+        request.ends = tangents;
     }
+    request.degree = static_cast<int>(std::clamp(conditions, std::size_t{2}, cubic + 1) - 1);
     auto found = core::interpolate(points, request);
     if (!found) return because(core::describe(found.error()));
     return std::move(found->curve);
@@ -170,6 +192,10 @@ DxfCurveMaker dxf_curve_maker(std::string_view name) {
 
 bool has_fit_points_alone(const DxfEntity& entity) {
     return entity.numbers(10).empty() && !entity.numbers(11).empty();
+}
+
+bool has_end_tangents(const DxfEntity& entity) {
+    return !is_closed_through_points(entity) && (entity.vector(12, 22) || entity.vector(13, 23));
 }
 
 bool is_mesh(const DxfEntity& entity) {

@@ -15,6 +15,9 @@ DxfCurveMaker dxf_curve_maker(std::string_view name);
 /// Whether `entity`, a SPLINE, has no control points, but points that it passes.
 bool has_fit_points_alone(const DxfEntity& entity);
 
+/// Whether such a SPLINE has a tangent at one end or both, which the curve through its points gets.
+bool has_end_tangents(const DxfEntity& entity);
+
 /// Whether `entity`, a POLYLINE, is a mesh and no curve.
 bool is_mesh(const DxfEntity& entity);
 

@@ -83,6 +83,12 @@ std::vector<core::Point> DxfEntity::points(int x_code, int y_code) const {
     return points;
 }
 
+std::optional<core::Vector> DxfEntity::vector(int x_code, int y_code) const {
+    const core::Vector vector{number(x_code, 0.0), number(y_code, 0.0)};
+    const bool is_there = !numbers(x_code).empty() && !numbers(y_code).empty();
+    return is_there && vector != core::Vector{0.0, 0.0} ? std::optional(vector) : std::nullopt;
+}
+
 std::vector<double> DxfEntity::bulges() const {
     std::vector<double> bulges = bulges_;
     bulges.resize(numbers(10).size(), 0.0);

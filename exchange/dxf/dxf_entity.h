@@ -33,6 +33,9 @@ class DxfEntity {
     /// The pairs of numbers of two codes, as many as both have.
     std::vector<core::Point> points(int x_code, int y_code) const;
 
+    /// The vector of the numbers of two codes; none where one is missing, or both are 0.
+    std::optional<core::Vector> vector(int x_code, int y_code) const;
+
     /// One for each vertex.
     std::vector<double> bulges() const;
 
@@ -44,8 +47,8 @@ class DxfEntity {
     void add_vertex(const DxfEntity& vertex);
 
   private:
-    static constexpr std::array kept_codes{10, 11, 20, 21, 30, 31, 38, 40,  41,  42,  50, 51,
-                                           60, 62, 67, 70, 71, 72, 73, 210, 220, 230, 420};
+    static constexpr std::array kept_codes{10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 38,  40,  41, 42,
+                                           50, 51, 60, 62, 67, 70, 71, 72, 73, 210, 220, 230, 420};
 
     static std::optional<std::size_t> slot_of(int code);
     void keep(int code, double value);

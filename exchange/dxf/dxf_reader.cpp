@@ -28,6 +28,11 @@ constexpr PluralPattern interpolated{
     "them",
     "{count} entities {what} have only points that they pass, the first at {place}; curves through them were made, "
     "which may be others between them"};
+constexpr PluralPattern interpolated_with_tangents{
+    "{what} at {place} has only points that it passes and tangents at its ends; a curve with these was made, which may "
+    "be another between them",
+    "{count} entities {what} have only points that they pass and tangents at their ends, the first at {place}; curves "
+    "with these were made, which may be others between them"};
 constexpr PluralPattern unit_not_known{"the unit of length at {place} is not known here and was let go",
                                        "{count} units of length are not known here and were let go"};
 
@@ -196,7 +201,7 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     curve->visible = look.visible && entity.number(60, 0.0) == 0.0;
     if (entity.is_off_plane()) found_.note_heights(entity.name(), place);
     if (has_fit_points_alone(entity) && entity.name() == "SPLINE")
-        found_.notes().add(interpolated, place, entity.name());
+        found_.notes().add(has_end_tangents(entity) ? interpolated_with_tangents : interpolated, place, entity.name());
 }
 
 }  // namespace

@@ -214,6 +214,41 @@ TEST(DxfReader, InterpolatesFitPointsAndSaysSo) {
                                  "which may be another between them"});
 }
 
+TEST(DxfReader, GivesSplinesThroughFitPointsTheirTangents) {
+    // As cubic and quadratic Bézier curves: the derivative at an end is 5, the length of the polygon, and its third or
+    // half is the way to the next control point.
+    const Curve both = curve_of("0 SPLINE 71 3 12 1 22 0 32 0 13 0 23 2 33 0 11 0 21 0 11 3 21 4");
+    ASSERT_EQ(both.control_points().size(), 4U);
+    expect_near(both.control_points()[1], {5.0 / 3.0, 0});
+    expect_near(both.control_points()[2], {3, 4 - 5.0 / 3.0});
+    expect_near(at_share(both, 0.5), {17.0 / 8.0, 11.0 / 8.0});
+    const Curve first = curve_of("0 SPLINE 71 3 12 -3 22 0 11 0 21 0 11 3 21 4");
+    ASSERT_EQ(first.control_points().size(), 3U);
+    expect_near(first.control_points()[1], {-2.5, 0});
+    const Curve last = curve_of("0 SPLINE 71 3 13 0 23 7 11 0 21 0 11 3 21 4");
+    ASSERT_EQ(last.control_points().size(), 3U);
+    expect_near(last.control_points()[1], {3, 1.5});
+}
+
+TEST(DxfReader, GivesOnlyOpenSplinesTangents) {
+    const std::string closed = "0 SPLINE 70 1 71 3 11 0 21 0 11 3 21 4 11 0 21 6 11 -3 21 4";
+    EXPECT_EQ(curve_of(closed + " 12 1 22 0 13 1 23 0"), curve_of(closed));
+    const std::string open = "0 SPLINE 71 3 11 0 21 0 11 3 21 4 11 0 21 6";
+    EXPECT_EQ(curve_of(open + " 12 0 22 0 13 0 23 0"), curve_of(open)) << "what has no direction is none";
+    EXPECT_NE(curve_of(open + " 12 1 22 0"), curve_of(open));
+}
+
+TEST(DxfReader, SaysWhereItUsedTangents) {
+    const std::string spline = " 0 SPLINE 71 3 12 1 22 0 11 0 21 0 11 3 21 4";
+    EXPECT_EQ(read(spline.substr(1)).report.left_out,
+              std::vector<std::string>{"SPLINE at line 6 has only points that it passes and tangents at its ends; a "
+                                       "curve with these was made, which may be another between them"});
+    EXPECT_EQ(read(spline.substr(1) + spline).report.left_out,
+              std::vector<std::string>{
+                  "2 entities SPLINE have only points that they pass and tangents at their ends, the first at line 6; "
+                  "curves with these were made, which may be others between them"});
+}
+
 TEST(DxfReader, SaysWhichAxisOfAnEllipseHasNoLength) {
     EXPECT_EQ(refusal_of(drawing("0 ELLIPSE 10 1 20 2 11 3 21 0 40 0")),
               "ELLIPSE at line 6 was left out: its second axis has no length, since the ratio of its axes is 0");
