@@ -88,7 +88,8 @@ void Collector::note_heights(std::string_view what, const PlaceText& place) {
 }
 
 core::FileResult<Imported> Collector::finish(const char* nothing_found) && {
-    Imported imported{std::move(document_), {.largest_error = largest_error_, .left_out = notes_.sentences()}};
+    Imported imported{std::move(document_),
+                      {.largest_error = largest_error_, .left_out = notes_.sentences(), .looks = looks_.sentences()}};
     const std::vector<std::string>& left_out = imported.report.left_out;
     if (imported.document.curves.empty()) return refused_file(left_out.empty() ? nothing_found : left_out.front());
     return imported;

@@ -38,6 +38,9 @@ class Collector {
     /// What happened, in sentences.
     Notes& notes() { return notes_; }
 
+    /// What is lost of the look, likewise.
+    Notes& looks() { return looks_; }
+
     /// Notes that heights of the entity `what`, or of a curve where that is empty, z other than 0, were let go.
     void note_heights(std::string_view what, const PlaceText& place);
 
@@ -51,6 +54,7 @@ class Collector {
     core::Document document_;
     core::FreeNames names_{document_};
     Notes notes_;
+    Notes looks_;
     double largest_error_ = 0.0;
 };
 

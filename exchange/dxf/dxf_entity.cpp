@@ -12,6 +12,7 @@ namespace batten::exchange {
 namespace {
 
 constexpr int title_code = 2;
+constexpr int line_type_code = 6;
 constexpr int layer_code = 8;
 constexpr int embedded_object_code = 101;
 constexpr int bulge_code = 42;
@@ -40,6 +41,7 @@ std::optional<std::size_t> DxfEntity::slot_of(int code) {
 void DxfEntity::take(const DxfGroup& group) {
     if (has_ended_) return;
     if (group.code == title_code) title_ = group.value;
+    if (group.code == line_type_code) line_type_ = group.value;
     if (group.code == layer_code) layer_ = group.value;
     if (group.code == embedded_object_code) has_ended_ = true;
     if (!slot_of(group.code)) return;
@@ -89,6 +91,12 @@ std::optional<core::Vector> DxfEntity::vector(int x_code, int y_code) const {
     return is_there && vector != core::Vector{0.0, 0.0} ? std::optional(vector) : std::nullopt;
 }
 
+bool DxfEntity::has_widths() const {
+    const auto is_wide = [](double width) { return width > 0.0; };
+    return has_wide_vertex_ || std::ranges::any_of(numbers(40), is_wide) || std::ranges::any_of(numbers(41), is_wide) ||
+           is_wide(number(43, 0.0));
+}
+
 std::vector<double> DxfEntity::bulges() const {
     std::vector<double> bulges = bulges_;
     bulges.resize(numbers(10).size(), 0.0);
@@ -104,6 +112,7 @@ void DxfEntity::add_vertex(const DxfEntity& vertex) {
     if (!vertex.points(10, 20).empty())
         for (const int code : {10, 20, bulge_code}) keep(code, vertex.number(code, 0.0));
     is_off_plane_ = is_off_plane_ || vertex.is_off_plane_;
+    has_wide_vertex_ = has_wide_vertex_ || vertex.has_widths();
     if (defect_.empty()) defect_ = vertex.defect_;
 }
 

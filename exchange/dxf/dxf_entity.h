@@ -22,6 +22,8 @@ class DxfEntity {
     std::size_t line() const { return line_; }
     std::string_view layer() const { return layer_; }
 
+    std::string_view line_type() const { return line_type_; }
+
     /// What a table calls it.
     std::string_view title() const { return title_; }
 
@@ -39,6 +41,9 @@ class DxfEntity {
     /// One for each vertex.
     std::vector<double> bulges() const;
 
+    /// Whether some leg of a polyline has a width.
+    bool has_widths() const;
+
     bool is_off_plane() const { return is_off_plane_; }    ///< some z or elevation is not 0
     const std::string& defect() const { return defect_; }  ///< of the first number that is none; empty: there is none
 
@@ -47,8 +52,8 @@ class DxfEntity {
     void add_vertex(const DxfEntity& vertex);
 
   private:
-    static constexpr std::array kept_codes{10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 38,  40,  41, 42,
-                                           50, 51, 60, 62, 67, 70, 71, 72, 73, 210, 220, 230, 420};
+    static constexpr std::array kept_codes{10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 38,  39,  40,  41,  42,
+                                           43, 50, 51, 60, 62, 67, 70, 71, 72, 73, 210, 220, 230, 370, 420};
 
     static std::optional<std::size_t> slot_of(int code);
     void keep(int code, double value);
@@ -56,10 +61,12 @@ class DxfEntity {
     std::string_view name_;
     std::size_t line_ = 0;
     std::string_view layer_{};
+    std::string_view line_type_{};
     std::string_view title_{};
     std::array<std::vector<double>, kept_codes.size()> numbers_{};
     std::vector<double> bulges_{};
     bool is_off_plane_ = false;
+    bool has_wide_vertex_ = false;
     bool has_ended_ = false;  // what follows belongs to an object inside it
     std::string defect_{};
 };

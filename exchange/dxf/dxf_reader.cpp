@@ -1,10 +1,10 @@
 #include "exchange/dxf/dxf_reader.h"
 
-#include <array>
 #include <charconv>
 #include <unordered_map>
 
 #include "exchange/dxf/dxf_curves.h"
+#include "exchange/dxf/dxf_look.h"
 #include "exchange/dxf/dxf_tables.h"
 #include "exchange/places.h"
 #include "exchange/refusal.h"
@@ -35,38 +35,6 @@ constexpr PluralPattern interpolated_with_tangents{
     "with these were made, which may be others between them"};
 constexpr PluralPattern unit_not_known{"the unit of length at {place} is not known here and was let go",
                                        "{count} units of length are not known here and were let go"};
-
-// How a layer looks, which its entities have unless they say otherwise.
-struct Look {
-    std::optional<core::DocumentColor> color{};
-    bool visible = true;
-};
-
-// The nine colors of the index that are the same everywhere; the seventh is black or white as the paper asks.
-std::optional<core::DocumentColor> indexed_color(double index) {
-    constexpr std::array<std::array<std::uint8_t, 3>, 6> pure{
-        {{255, 0, 0}, {255, 255, 0}, {0, 255, 0}, {0, 255, 255}, {0, 0, 255}, {255, 0, 255}}};
-    const double i = std::abs(index);
-    if (i == 8.0) return core::DocumentColor{128, 128, 128};
-    if (i == 9.0) return core::DocumentColor{192, 192, 192};
-    if (!(i >= 1.0 && i <= 6.0)) return std::nullopt;
-    const auto& color = pure[static_cast<std::size_t>(i) - 1];
-    return core::DocumentColor{color[0], color[1], color[2]};
-}
-
-std::optional<core::DocumentColor> color_of(const DxfEntity& entity) {
-    constexpr double most = 16777215.0;
-    const double found = entity.number(420, -1.0);
-    if (!(found >= 0.0 && found <= most)) return indexed_color(entity.number(62, 0.0));
-    const auto color = static_cast<std::uint32_t>(found);
-    const auto part = [&](unsigned shift) { return static_cast<std::uint8_t>((color >> shift) & 0xffU); };
-    return core::DocumentColor{part(16), part(8), part(0)};
-}
-
-Look look_of_layer(const DxfEntity& layer) {
-    constexpr unsigned frozen = 1;
-    return {color_of(layer), layer.number(62, 1.0) >= 0.0 && !layer.has_bit(70, frozen)};
-}
 
 // "\U+00e4" stands for a character.
 std::string decoded(std::string_view text) {
@@ -115,7 +83,7 @@ class DxfReader {
     std::string_view variable_{};
     std::optional<DxfEntity> entity_{};
     std::optional<DxfEntity> polyline_{};  // whose vertices follow
-    std::unordered_map<std::string, Look> layers_;
+    std::unordered_map<std::string, DxfLook> layers_;
 };
 
 core::FileResult<Imported> DxfReader::read() {
@@ -195,10 +163,11 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     core::DocumentCurve* curve = found_.add(std::move(made), name_of(entity), entity.name(), place);
     if (curve == nullptr) return;
     const auto layer = layers_.find(layer_key(entity.layer()));
-    const Look look = layer == layers_.end() ? Look{} : layer->second;
-    const std::optional<core::DocumentColor> own = color_of(entity);
-    curve->color = own ? own : look.color;
-    curve->visible = look.visible && entity.number(60, 0.0) == 0.0;
+    const DxfLook look = look_of_entity(entity, layer == layers_.end() ? DxfLook{} : layer->second);
+    curve->color = look.color;
+    curve->visible = look.visible;
+    curve->locked = look.locked;
+    look.tell_losses(found_.looks());
     if (entity.is_off_plane()) found_.note_heights(entity.name(), place);
     if (has_fit_points_alone(entity) && entity.name() == "SPLINE")
         found_.notes().add(has_end_tangents(entity) ? interpolated_with_tangents : interpolated, place, entity.name());
