@@ -23,6 +23,9 @@ constexpr core::PluralPattern ends_repeated{
     "the first and the last knot of {count} curves, which the file does not have and the curves do not depend on, were "
     "made equal to their neighbors"};
 
+constexpr const char* rest_of_list =
+    "the list of curves has something else at {place}; it and what follows it was left out";
+
 // What one object says, and what there is to tell of it.
 struct Found {
     CurveDefinition definition{};
@@ -207,6 +210,9 @@ core::FileResult<Imported> read_curves(const JsonValue& value, ReadObject read, 
     if (list != nullptr)
         for (std::size_t i = 0; i < list->items.size(); ++i)
             add_curve(collector, list->items[i], read, [&] { return fmt::format("{}/{}", place, i); });
+    if (list != nullptr && list->first_odd && !list->items.empty())
+        collector.notes().add({rest_of_list, rest_of_list},
+                              [&] { return fmt::format("{}/{}", place, *list->first_odd); });
     return std::move(collector).finish("there are no curves in this file");
 }
 

@@ -277,6 +277,18 @@ TEST(JsonDialects, CountCurvesThatAreLeftOutForOneReason) {
     expect_counted(read_tinyspline(R"([{"degree": 0}, )" + flat + R"(, {"degree": 0}, "x", )" + flat + "]"), "");
 }
 
+TEST(JsonDialects, TellThatAListEndsAtANumber) {
+    const std::string line = R"({"degree": 1, "knots": [0, 1], "points": [[0, 0], [1, 0]]})";
+    for (const char* odd : {"7", "[1, 2]"}) {
+        const auto found = read_rhino(R"({"curves": [)" + line + ", " + odd + ", " + line + "]}");
+        ASSERT_TRUE(found) << found.error().sentence();
+        EXPECT_EQ(found->document.curves.size(), 1U);
+        EXPECT_EQ(found->report.left_out,
+                  std::vector<std::string>{
+                      "the list of curves has something else at /curves/1; it and what follows it was left out"});
+    }
+}
+
 TEST(JsonDialects, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal_by(read_rhino, "{\"curves\": [\n  nan]}"), "line 2, column 4: this is not JSON: invalid literal");
     EXPECT_EQ(refusal_by(read_rhino, "[1e999]"), "line 1, column 6: the number is too large; numbers must be finite");
