@@ -19,6 +19,15 @@ constexpr core::PluralPattern pictures{"one picture was left out; only curves ar
 constexpr core::PluralPattern without_place{"the format has no place for {reason} of the document",
                                             "the format has no place for {reason} of the document"};
 
+// But for those of the view, which nobody expects in another format.
+bool has_unknown_members(const core::Document& document) {
+    return !document.unknown_members.empty() || (document.units && !document.units->unknown_members.empty());
+}
+
+bool has_unknown_members(const core::DocumentCurve& entry) {
+    return !entry.unknown_members.empty() || !entry.unknown_fit_members.empty();
+}
+
 std::vector<std::string> parts_without_place(const core::Document& document, const FormatPlaces& places) {
     const auto has_any = [&](auto has) {
         return std::ranges::any_of(document.curves,
@@ -26,7 +35,8 @@ std::vector<std::string> parts_without_place(const core::Document& document, con
     };
     using Entry = core::DocumentCurve;
     std::vector<std::string> parts;
-    if (!document.title.empty() || !document.description.empty()) parts.emplace_back("the title");
+    if (!document.title.empty()) parts.emplace_back("the title");
+    if (!document.description.empty()) parts.emplace_back("the description");
     if (!places.colors && has_any([](const Entry& entry) { return entry.color.has_value(); }))
         parts.emplace_back("colors");
     if (has_any([](const Entry& entry) { return !entry.group.empty(); })) parts.emplace_back("groups");
@@ -34,7 +44,10 @@ std::vector<std::string> parts_without_place(const core::Document& document, con
     if (has_any([](const Entry& entry) { return !entry.pinned.empty(); })) parts.emplace_back("pinned points");
     if (has_any([](const Entry& entry) { return entry.fit != nullptr; })) parts.emplace_back("fit points");
     if (has_any([](const Entry& entry) { return entry.symmetry.has_value(); })) parts.emplace_back("symmetries");
+    if (has_any([](const Entry& entry) { return !entry.joints.is_empty(); })) parts.emplace_back("kept joints");
     if (!document.guides.empty()) parts.emplace_back("guides");
+    const auto is_of_unknown = [](const Entry& entry) { return has_unknown_members(entry); };
+    if (has_unknown_members(document) || has_any(is_of_unknown)) parts.emplace_back("unknown members");
     return parts;
 }
 

@@ -56,6 +56,44 @@ TEST(Losses, AreNoneOfADocumentThatHasNoSuchThings) {
         EXPECT_TRUE(told_by(format, document).empty());
 }
 
+TEST(Losses, DescriptionsKeptJointsAndUnknownMembersAreToldByEachFormat) {
+    const core::Document plain = document_of(carried_curves(0)[0].curve);
+    const auto expect_told = [](const core::Document& document, const std::string& part) {
+        const std::string sentence = "the format has no place for " + part + " of the document";
+        for (const Format format :
+             {Format::nurbs_python, Format::tinyspline, Format::rhino, Format::opencascade, Format::dxf})
+            EXPECT_EQ(told_by(format, document), std::vector<std::string>{sentence});
+    };
+    core::Document document = plain;
+    document.description = "Drawn in winter.";
+    expect_told(document, "the description");
+    document.title = "A hull";
+    document.unknown_members = R"({"mass": 3})";
+    expect_told(document, "the title, the description or unknown members");
+    document = plain;
+    document.curves[0].unknown_members = R"({"mass": 3})";
+    expect_told(document, "unknown members");
+    document.curves[0].joints.knots.push_back({.u = 0.5});
+    expect_told(document, "kept joints or unknown members");
+    document = plain;
+    document.curves[0].unknown_fit_members = R"({"tension": 3})";
+    expect_told(document, "unknown members");
+}
+
+TEST(Losses, TheViewIsNoneOfThem) {
+    core::Document document = document_of(carried_curves(0)[0].curve);
+    document.view.unknown_members = R"({"forms": {}})";
+    EXPECT_TRUE(told_by(Format::rhino, document).empty());
+}
+
+TEST(Losses, UnknownMembersOfHiddenCurvesGoWithThem) {
+    core::Document document = document_of(carried_curves(0)[0].curve);
+    document.curves.resize(2, document.curves[0]);
+    document.curves[1].unknown_members = R"({"mass": 3})";
+    document.curves[1].visible = false;
+    EXPECT_EQ(told_by(Format::rhino, document), std::vector<std::string>{"one curve was left out, since it is hidden"});
+}
+
 TEST(Losses, AreCountedForManyCurves) {
     core::Document document = rich_document();
     document.curves.resize(3, document.curves[0]);
