@@ -135,8 +135,12 @@ bool is_closed_through_points(const DxfEntity& entity) {
 // The file has directions alone. The length of the polygon is that of a derivative over [0, 1].
 core::EndTangents end_tangents(const DxfEntity& entity, std::span<const Point> points) {
     double length = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += core::distance(points[i - 1], points[i]);
-    const auto with_length = [&](core::Vector direction) { return length / core::length(direction) * direction; };
+    for (std::size_t i = 1; i < points.size(); ++i) length += core::robust_length(points[i] - points[i - 1]);
+    const auto with_length = [&](core::Vector direction) {
+        const double size = std::max(std::abs(direction.x), std::abs(direction.y));
+        const core::Vector moderate{direction.x / size, direction.y / size};
+        return length / core::length(moderate) * moderate;
+    };
     const auto tangent = [&](int x_code, int y_code) {
         const std::optional<core::Vector> direction = entity.vector(x_code, y_code);
         return direction ? std::optional(with_length(*direction)) : std::nullopt;

@@ -230,6 +230,13 @@ TEST(DxfReader, GivesSplinesThroughFitPointsTheirTangents) {
     expect_near(last.control_points()[1], {3, 1.5});
 }
 
+TEST(DxfReader, TakesOnlyTheDirectionsOfTangents) {
+    const std::string points = "0 SPLINE 71 3 11 0 21 0 11 3 21 4 ";
+    const Curve expected = curve_of(points + "12 1 22 2 13 2 23 1");
+    EXPECT_EQ(curve_of(points + "12 4e-300 22 8e-300 13 8e300 23 4e300"), expected);
+    EXPECT_EQ(curve_of(points + "12 0.25 22 0.5 13 4 23 2"), expected);
+}
+
 TEST(DxfReader, GivesOnlyOpenSplinesTangents) {
     const std::string closed = "0 SPLINE 70 1 71 3 11 0 21 0 11 3 21 4 11 0 21 6 11 -3 21 4";
     EXPECT_EQ(curve_of(closed + " 12 1 22 0 13 1 23 0"), curve_of(closed));
@@ -363,7 +370,8 @@ TEST(DxfReader, SurvivesNumbersThatAreTooLarge) {
               "0 ELLIPSE 10 0 20 0 11 @ 21 @ 40 @ 41 @ 42 @",
               "0 LWPOLYLINE 70 @ 10 0 20 @ 42 @ 10 @ 20 0 42 @ 10 5 20 5",
               "0 SPLINE 70 @ 71 2 40 0 40 0 40 0 40 @ 40 @ 40 @ 10 0 20 @ 10 @ 20 0 10 @ 20 1 41 1 41 @ 41 @",
-              "0 SPLINE 70 @ 11 0 21 @ 11 @ 21 0 11 @ 21 1 11 5 21 5"}) {
+              "0 SPLINE 70 @ 11 0 21 @ 11 @ 21 0 11 @ 21 1 11 5 21 5",
+              "0 SPLINE 71 3 12 @ 22 1 13 1 23 @ 11 0 21 0 11 @ 21 1 11 5 21 5"}) {
             std::string text = entity;
             while (text.find('@') != std::string::npos) text.replace(text.find('@'), 1, number);
             const auto found = read_dxf(drawing(text));
