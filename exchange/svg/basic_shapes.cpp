@@ -15,6 +15,16 @@ namespace {
 using core::PlaneMap;
 using core::Point;
 
+// The attributes of a shape that are lengths.
+struct ShapeLengths {
+    std::string_view shape;
+    std::array<const char*, 6> names;
+};
+
+constexpr std::array shape_lengths{
+    ShapeLengths{"rect", {"x", "y", "width", "height", "rx", "ry"}}, ShapeLengths{"circle", {"cx", "cy", "r"}},
+    ShapeLengths{"ellipse", {"cx", "cy", "rx", "ry"}}, ShapeLengths{"line", {"x1", "y1", "x2", "y2"}}};
+
 // An outline of which points are given before they are mapped.
 class MappedOutline {
   public:
@@ -51,10 +61,15 @@ void hand_ellipse(Point center, double rx, double ry, const PlaneMap& map, const
     std::move(outline).hand_to(sink);
 }
 
+// Of a shape of which all lengths are known.
+double known_length(const pugi::xml_node& element, const Viewport& viewport, const char* name, double missing = 0.0) {
+    return viewport.length(element, name, missing).value_or(missing);
+}
+
 // The radii of a rect's corners: the one that is missing is the other, and none is more than half a side.
 core::Vector corner_radii(const pugi::xml_node& element, const Viewport& viewport, double width, double height) {
     const auto radius = [&](const char* name) {
-        const double length = viewport.length(element, name, -1.0);
+        const double length = known_length(element, viewport, name, -1.0);
         return length < 0.0 ? std::nullopt : std::optional(length);
     };
     const auto rx = radius("rx");
@@ -65,11 +80,11 @@ core::Vector corner_radii(const pugi::xml_node& element, const Viewport& viewpor
 }
 
 void hand_rect(const pugi::xml_node& element, const Viewport& viewport, const PlaneMap& map, const OutlineSink& sink) {
-    const double width = viewport.length(element, "width");
-    const double height = viewport.length(element, "height");
+    const double width = known_length(element, viewport, "width");
+    const double height = known_length(element, viewport, "height");
     if (!(width > 0.0 && height > 0.0)) return;
-    const double left = viewport.length(element, "x");
-    const double top = viewport.length(element, "y");
+    const double left = known_length(element, viewport, "x");
+    const double top = known_length(element, viewport, "y");
     const double right = left + width;
     const double bottom = top + height;
     const auto [rx, ry] = corner_radii(element, viewport, width, height);
@@ -87,8 +102,8 @@ void hand_rect(const pugi::xml_node& element, const Viewport& viewport, const Pl
 }
 
 void hand_line(const pugi::xml_node& element, const Viewport& viewport, const PlaneMap& map, const OutlineSink& sink) {
-    MappedOutline outline(map, {viewport.length(element, "x1"), viewport.length(element, "y1")});
-    outline.line_to({viewport.length(element, "x2"), viewport.length(element, "y2")});
+    MappedOutline outline(map, {known_length(element, viewport, "x1"), known_length(element, viewport, "y1")});
+    outline.line_to({known_length(element, viewport, "x2"), known_length(element, viewport, "y2")});
     std::move(outline).hand_to(sink);
 }
 
@@ -125,17 +140,24 @@ bool is_basic_shape(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool has_unknown_length(const pugi::xml_node& element, std::string_view name, const Viewport& viewport) {
+    const auto* const shape = std::ranges::find(shape_lengths, name, &ShapeLengths::shape);
+    return shape != shape_lengths.end() && std::ranges::any_of(shape->names, [&](const char* length) {
+               return length != nullptr && !viewport.length(element, length).has_value();
+           });
+}
+
 std::optional<std::size_t> read_basic_shape(const pugi::xml_node& element, std::string_view name,
                                             const Viewport& viewport, const PlaneMap& map, const OutlineSink& sink) {
     if (name == "polyline" || name == "polygon") return hand_polyline(element, name == "polygon", map, sink);
     if (name == "rect") hand_rect(element, viewport, map, sink);
     if (name == "line") hand_line(element, viewport, map, sink);
-    const Point center{viewport.length(element, "cx"), viewport.length(element, "cy")};
+    const Point center{known_length(element, viewport, "cx"), known_length(element, viewport, "cy")};
     if (name == "circle") {
-        const double r = viewport.length(element, "r");
+        const double r = known_length(element, viewport, "r");
         hand_ellipse(center, r, r, map, sink);
     } else if (name == "ellipse") {
-        hand_ellipse(center, viewport.length(element, "rx"), viewport.length(element, "ry"), map, sink);
+        hand_ellipse(center, known_length(element, viewport, "rx"), known_length(element, viewport, "ry"), map, sink);
     }
     return std::nullopt;
 }

@@ -42,7 +42,10 @@ constexpr std::array<std::string_view, svg_property_count> property_names{"strok
                                                                           "opacity",
                                                                           "fill-opacity",
                                                                           "stroke-opacity",
-                                                                          "filter"};
+                                                                          "filter",
+                                                                          "overflow",
+                                                                          "font-size",
+                                                                          "font"};
 
 // The value of a declaration and whether it says that it is important.
 CssValue value_in(std::string_view text) {

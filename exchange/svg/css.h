@@ -11,7 +11,8 @@
 namespace batten::exchange {
 
 /// The properties that are looked at. Those from x to d are sizes and places of shapes, which are read as attributes
-/// alone; those behind them are looks that curves do not have.
+/// alone; those behind them are looks that curves do not have. The last two are of the font, in whose size lengths can
+/// be said.
 enum class SvgProperty : std::uint8_t {
     stroke,
     fill,
@@ -45,9 +46,12 @@ enum class SvgProperty : std::uint8_t {
     fill_opacity,
     stroke_opacity,
     filter,
+    overflow,
+    font_size,
+    font,
 };
 
-inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::filter) + 1;
+inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::font) + 1;
 
 /// The property of that name; none for those that are not looked at.
 std::optional<SvgProperty> svg_property(std::string_view name);

@@ -76,6 +76,8 @@ class Walk {
         const auto is_part = [&](SvgProperty size) { return properties.in_style(size).ends_with('%'); };
         if (!is_part(SvgProperty::width) && !is_part(SvgProperty::height)) tell_styled_size(svg_, properties);
         Surroundings around{.map = page.map, .viewport = page.viewport};
+        around.viewport.font = font_within(properties, {});
+        around.viewport.font.root = around.viewport.font.own;
         around.style = around.style.within(properties);
         around.look = around.look.within(properties);
         if (const auto map = transform_of(properties, page.viewport))
@@ -127,7 +129,7 @@ class Walk {
         else if (name == "switch")
             visit_switch(element, inside);
         else if (name == "svg")
-            visit_inner(inner_viewport(element, around.viewport), element, inside);
+            visit_inner(inner_viewport(element, inside.viewport), element, inside);
         else if (is_group(name))
             visit_children(element, inside);
         else
@@ -162,6 +164,7 @@ class Walk {
         ++inside.depth;
         inside.style = around.style.within(properties);
         inside.look = around.look.within(properties);
+        inside.viewport.font = font_within(properties, around.viewport.font);
         if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
         else
@@ -169,8 +172,15 @@ class Walk {
         return inside;
     }
 
+    FontSizes font_within(const SvgProperties& properties, const FontSizes& around) const {
+        FontSizes font = around.within(properties);
+        if (sheet_.leaves_out_fonts()) font.own.reset();
+        return font;
+    }
+
     void visit_inner(const InnerViewport& inner, const xml_node& element, Surroundings around) {
         if (inner.is_empty) return;
+        if (inner.is_unknown) return tell(svg_loss::unknown_length, name_of_element(element));
         around.map = chained(around.map, inner.map);
         around.viewport = inner.viewport;
         visit_children(element, around);
@@ -201,8 +211,10 @@ class Walk {
         const xml_node element = found->second;
         if (std::find(used_.begin(), used_.end(), element) != used_.end())
             return tell(svg_loss::circle, shortened(target));
-        const core::Vector offset{around.viewport.length(use, "x"), around.viewport.length(use, "y")};
-        around.map = chained(around.map, core::translation(offset));
+        const auto x = around.viewport.length(use, "x");
+        const auto y = around.viewport.length(use, "y");
+        if (!x || !y) return tell(svg_loss::unknown_length, name_of_element(use));
+        around.map = chained(around.map, core::translation({*x, *y}));
         used_.push_back(element);
         visit_used(element, use, around);
         used_.pop_back();
@@ -215,11 +227,13 @@ class Walk {
         if (!may_look_at(element)) return;
         const SvgProperties properties(element, sheet_);
         if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
-        visit_inner(inner_viewport(element, use, around.viewport), element, within(element, properties, around));
+        const Surroundings inside = within(element, properties, around);
+        visit_inner(inner_viewport(element, use, inside.viewport), element, inside);
     }
 
     void draw(const xml_node& element, std::string_view kind, const Surroundings& around) {
         const std::string name = name_of_element(element);
+        if (has_unknown_length(element, kind, around.viewport)) return tell(svg_loss::unknown_length, name);
         const std::size_t first = drawing_.curves.size();
         const OutlineSink sink = [&](const Outline& outline) { return add(outline, name, around.style); };
         const auto fault = kind == "path" ? read_path_data(element.attribute("d").value(), around.map, sink)

@@ -15,6 +15,12 @@ inline constexpr core::PluralPattern wrong_points{
     "the points of {count} polygons or polylines go wrong, first at {place}; they are read up to there"};
 inline constexpr core::PluralPattern refused_curve{"'{place}' is left out: {reason}",
                                                    "{count} curves are left out, first '{place}': {reason}"};
+/// Of shapes, `use` and svg elements.
+inline constexpr core::PluralPattern unknown_length{
+    "'{place}' is left out, since the file does not say how long its lengths are: % of what has no size, units of a "
+    "window or of a font",
+    "{count} elements are left out, first '{place}', since the file does not say how long their lengths are: % of what "
+    "has no size, units of a window or of a font"};
 inline constexpr core::PluralPattern wrong_transform{
     "the transform of '{place}' cannot be read, so it stands where it would without",
     "{count} transforms cannot be read, the first one that of '{place}'; what they belong to stands where it would "

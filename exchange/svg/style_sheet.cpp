@@ -1,6 +1,7 @@
 #include "exchange/svg/style_sheet.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "core/base/ascii.h"
 #include "core/base/utf8.h"
@@ -127,13 +128,18 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view declarati
         value.order = rule_count_;
         take(value, said[static_cast<std::size_t>(property)]);
     });
-    if (std::ranges::all_of(said, &std::string_view::empty, &CssValue::text)) return;
+    const auto is_said = [](const CssValue& value) { return !value.text.empty(); };
+    const auto* const fonts = said.begin() + static_cast<std::ptrdiff_t>(SvgProperty::font_size);
+    const bool has_font = std::any_of(fonts, said.end(), is_said);
+    const bool has_other = std::any_of(said.begin(), fonts, is_said);
+    if (!has_font && !has_other) return;
     while (!selectors.empty()) {
         const std::string_view selector =
             core::trimmed(taken(selectors, std::min(selectors.find(','), selectors.size())), svg_blanks);
         const auto specificity = specificity_of(selector);
         if (!specificity || value_count_ >= most_sheet_values) {
-            notes.add(svg_loss::style_rule, [&] { return quoted(selector); });
+            leaves_out_fonts_ = leaves_out_fonts_ || has_font;
+            if (has_other) notes.add(svg_loss::style_rule, [&] { return quoted(selector); });
             continue;
         }
         auto& values = values_[std::string(selector)];

@@ -23,6 +23,9 @@ class StyleSheet {
     /// Hands each value for `element` to `declaration`, in no order. Cost O(words of its class and values).
     void read(const pugi::xml_node& element, const CssDeclaration& declaration) const;
 
+    /// Whether a rule that is not read sets a font, in whose size lengths can be said.
+    bool leaves_out_fonts() const { return leaves_out_fonts_; }
+
   private:
     void add_rule(std::string_view selectors, std::string_view declarations, Notes& notes);
 
@@ -30,6 +33,7 @@ class StyleSheet {
     std::unordered_map<std::string, std::vector<std::pair<SvgProperty, CssValue>>> values_{};  // by selector
     std::size_t value_count_ = 0;
     std::uint32_t rule_count_ = 0;
+    bool leaves_out_fonts_ = false;
 };
 
 }  // namespace batten::exchange

@@ -121,9 +121,8 @@ std::optional<PlaneMap> css_transform(std::string_view name, const std::vector<d
 // One coordinate of transform-origin.
 std::optional<double> origin_length(std::string_view word, double whole) {
     if (word == "left" || word == "top") return 0.0;
-    if (word == "center") return 0.5 * whole;
-    if (word == "right" || word == "bottom") return whole;
-    const auto length = read_length(word);
+    const std::string_view share = word == "center" ? "50%" : word == "right" || word == "bottom" ? "100%" : word;
+    const auto length = read_length(share);
     return length ? length->in_px(whole) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "core/document/unit_scale.h"
@@ -107,10 +108,26 @@ bool is_zero_length(const pugi::xml_node& use, const pugi::xml_node& element, co
     return length && length->value == 0.0;
 }
 
+// Also of units of the font.
+std::optional<double> in_px(const SvgLength& length, std::optional<double> whole, const FontSizes& font) {
+    const auto times = [&](std::optional<double> size) {
+        return size ? std::optional(length.value * *size) : std::nullopt;
+    };
+    if (length.unit == "em") return times(font.own);
+    if (length.unit == "rem") return times(font.root);
+    return length.in_px(whole.value_or(0.0));
+}
+
+// The room of a viewport along one axis, where the file says it.
+std::optional<double> known_size(double size) {
+    return size > 0.0 ? std::optional(size) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> SvgLength::in_px(double whole) const {
-    if (unit == "%") return value / 100.0 * whole;
+    if (value == 0.0) return 0.0;
+    if (unit == "%") return whole > 0.0 ? std::optional(value / 100.0 * whole) : std::nullopt;
     const AbsoluteUnit* const known = absolute_unit(unit);
     return known == nullptr ? std::nullopt : std::optional(value * known->px);
 }
@@ -126,14 +143,26 @@ std::optional<SvgLength> read_length(std::string_view text) {
     return SvgLength{*value, unit};
 }
 
-double Viewport::length(const pugi::xml_node& element, const char* name, double missing) const {
-    const auto found = read_length(element.attribute(name).value());
-    if (!found) return missing;
+FontSizes FontSizes::within(const SvgProperties& properties) const {
+    const std::string_view size = properties[SvgProperty::font_size];
+    const std::string_view font = properties[SvgProperty::font];
+    if (!font.empty() && font != "inherit") return {.own = std::nullopt, .root = root};
+    if (size.empty() || size == "inherit") return *this;
+    if (size == "medium") return {.own = medium, .root = root};
+    const auto length = read_length(size);
+    return {.own = length ? in_px(*length, own, *this) : std::nullopt, .root = root};
+}
+
+std::optional<double> Viewport::length(const pugi::xml_node& element, const char* name,
+                                       std::optional<double> missing) const {
+    const std::string_view text = element.attribute(name).value();
+    const auto found = read_length(text);
+    if (!found) return text.find('(') == std::string_view::npos ? missing : std::nullopt;
     const std::string_view along = name;
     const bool is_along_x = along.find('x') != std::string_view::npos || along == "width";
     const bool is_along_y = along.find('y') != std::string_view::npos || along == "height";
-    const double whole = is_along_x ? width : is_along_y ? height : std::hypot(width, height) / std::sqrt(2.0);
-    return found->in_px(whole).value_or(missing);
+    const double diagonal = width > 0.0 && height > 0.0 ? std::hypot(width, height) / std::numbers::sqrt2 : 0.0;
+    return in_px(*found, is_along_x ? width : is_along_y ? height : diagonal, font);
 }
 
 Page page_of(const pugi::xml_node& svg) {
@@ -167,21 +196,24 @@ InnerViewport inner_viewport(const pugi::xml_node& element, const Viewport& oute
 }
 
 InnerViewport inner_viewport(const pugi::xml_node& element, const pugi::xml_node& use, const Viewport& outer) {
-    const double x = outer.length(element, "x");
-    const double y = outer.length(element, "y");
-    const double width = outer.length(use, "width", outer.length(element, "width", outer.width));
-    const double height = outer.length(use, "height", outer.length(element, "height", outer.height));
-    const auto box = view_box(element);
     if (is_zero_length(use, element, "width") || is_zero_length(use, element, "height")) return {.is_empty = true};
-    if (!box || !(width > 0.0 && height > 0.0))
-        return {.viewport = box.value_or(Viewport{.width = width, .height = height}),
-                .map = scaled_and_moved({}, x, y)};
+    const auto x = outer.length(element, "x");
+    const auto y = outer.length(element, "y");
+    const auto width = outer.length(use, "width", outer.length(element, "width", known_size(outer.width)));
+    const auto height = outer.length(use, "height", outer.length(element, "height", known_size(outer.height)));
+    const auto box = view_box(element);
+    if (!x || !y || (box && !(width && height))) return {.is_unknown = true};
+    const Viewport plain{.width = width.value_or(0.0), .height = height.value_or(0.0), .font = outer.font};
+    if (!box) return {.viewport = plain, .map = scaled_and_moved({}, *x, *y)};
+    Viewport viewport = *box;
+    viewport.font = outer.font;
+    if (!(plain.width > 0.0 && plain.height > 0.0)) return {.viewport = viewport, .map = scaled_and_moved({}, *x, *y)};
     const std::string_view wish = element.attribute("preserveAspectRatio").value();
-    const BoxScale scale = box_scale(element, *box, width, height);
-    const double room_x = (width - scale.x * box->width) * alignment_share(wish, "xMin", "xMax");
-    const double room_y = (height - scale.y * box->height) * alignment_share(wish, "YMin", "YMax");
-    return {.viewport = *box,
-            .map = scaled_and_moved(scale, x + room_x - scale.x * box->left, y + room_y - scale.y * box->top)};
+    const BoxScale scale = box_scale(element, *box, plain.width, plain.height);
+    const double room_x = (plain.width - scale.x * box->width) * alignment_share(wish, "xMin", "xMax");
+    const double room_y = (plain.height - scale.y * box->height) * alignment_share(wish, "YMin", "YMax");
+    return {.viewport = viewport,
+            .map = scaled_and_moved(scale, *x + room_x - scale.x * box->left, *y + room_y - scale.y * box->top)};
 }
 
 }  // namespace batten::exchange

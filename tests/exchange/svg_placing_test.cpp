@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/curve/control_box.h"
 #include "tests/exchange/svg_elements.h"
 
 namespace batten::exchange {
@@ -222,6 +223,74 @@ TEST(SvgStyles, OfSizesAreTold) {
     };
     EXPECT_EQ(of_file("width:3cm"), size);
     EXPECT_TRUE(of_file("width:100%;height:auto").empty()) << "of the window";
+}
+
+// Lengths of CSS: 1em is the size of the font, which is 16px where nothing is said; 1rem that of the svg element.
+TEST(SvgLengths, MayBeInSizesOfTheFont) {
+    const auto right_end = [](const std::string& elements, const std::string& of_file = "") {
+        const auto imported = read_svg("<svg viewBox='0 0 100 100' " + of_file + ">" + elements + "</svg>");
+        EXPECT_TRUE(imported);
+        EXPECT_TRUE(imported->report.left_out.empty());
+        return core::control_box(curve_of(*imported)).upper.x;
+    };
+    const std::string rect = "<rect width='2em' height='1px'/>";
+    EXPECT_EQ(right_end(rect), 32);
+    EXPECT_EQ(right_end(rect, "font-size='10'"), 20);
+    EXPECT_EQ(right_end("<g font-size='10px'><g style='font-size:50%'>" + rect + "</g></g>"), 10);
+    EXPECT_EQ(right_end("<g font-size='10px'><g style='font-size:3em'>" + rect + "</g></g>"), 60);
+    EXPECT_EQ(right_end("<style>g{font-size:1in}</style><g font-size='1'>" + rect + "</g>"), 192);
+    EXPECT_EQ(right_end("<g font-size='10px'><g font-size='medium'>" + rect + "</g></g>"), 32);
+    EXPECT_EQ(right_end("<rect width='2em' height='1px' font-size='3'/>"), 6) << "of its own font";
+    EXPECT_EQ(right_end("<g font-size='3'><circle r='2rem'/></g>", "font-size='10'"), 20);
+    EXPECT_EQ(right_end("<defs><path id='a' d='M0 0h1'/></defs><use href='#a' x='1em'/>"), 17);
+    EXPECT_EQ(right_end("<svg x='1em' font-size='5'><path d='M0 0h1'/></svg>"), 6);
+    EXPECT_EQ(right_end("<symbol id='s' viewBox='0 0 2 2'><path d='M0 0h1'/></symbol>"
+                        "<use href='#s' width='1em' height='1em'/>"),
+              8);
+}
+
+TEST(SvgLengths, ThatTheFileDoesNotSayAreTold) {
+    const auto told = [](const std::string& elements, const std::string& of_file = "viewBox='0 0 9 9'") {
+        const auto imported = read_svg("<svg " + of_file + "><path d='M0 0h1'/>" + elements + "</svg>");
+        EXPECT_EQ(imported->document.curves.size(), 1U) << elements;
+        return imported->report.left_out;
+    };
+    const std::vector<std::string> one{
+        "'r' is left out, since the file does not say how long its lengths are: % of what has no size, units of a "
+        "window or of a font"};
+    for (const std::string length : {"2ex", "2vw", "2ch", "calc(1px + 2px)", "2parsecs"}) {
+        EXPECT_EQ(told("<rect id='r' width='1' height='" + length + "'/>"), one) << length;
+        EXPECT_EQ(told("<circle id='r' cx='" + length + "' r='1'/>"), one) << length;
+        EXPECT_EQ(told("<svg id='r' x='" + length + "'><path d='M0 0h1'/></svg>"), one) << length;
+        EXPECT_EQ(told("<defs><path id='a' d='M0 0h1'/></defs><use id='r' href='#a' y='" + length + "'/>"), one);
+    }
+    const std::string em = "<rect id='r' width='1em' height='1'/>";
+    EXPECT_EQ(told(em, "font-size='larger'"), one);
+    EXPECT_EQ(told(em, "style='font:12px serif'"), one);
+    EXPECT_EQ(told("<style>g > rect{font-size:3px}</style>" + em), one);
+    EXPECT_EQ(told("<line id='a' y2='1vh'/><ellipse id='b' rx='1vw' ry='1'/>"),
+              std::vector<std::string>{"2 elements are left out, first 'a', since the file does not say how long their "
+                                       "lengths are: % of what has no size, units of a window or of a font"});
+}
+
+TEST(SvgLengths, InPartsOfAPageWithoutASizeAreTold) {
+    const auto told = [](const std::string& element, const std::string& of_file) {
+        return read_svg("<svg " + of_file + "><path d='M0 0h1'/>" + element + "</svg>")->report.left_out.size();
+    };
+    const std::string rect = "<rect width='50%' height='1'/>";
+    const std::string circle = "<circle r='50%'/>";
+    const std::string inner = "<svg viewBox='0 0 2 2'><path d='M0 0h1'/></svg>";
+    const std::string moved = "<path d='M0 0h1' style='transform:translate(50%)'/>";
+    const std::string turned = "<path d='M0 0h1' transform='scale(2)' transform-origin='center'/>";
+    for (const std::string& element : {rect, circle, inner, moved, turned}) {
+        EXPECT_EQ(told(element, ""), 1U) << element;
+        EXPECT_EQ(told(element, "width='100%' height='100%'"), 1U) << element;
+        EXPECT_EQ(told(element, "width='80' height='60'"), 0U) << element;
+        EXPECT_EQ(told(element, "viewBox='0 0 8 6'"), 0U) << element;
+    }
+    EXPECT_EQ(told(rect, "width='80'"), 0U) << "the height does not count";
+    EXPECT_EQ(told("<rect x='0%' width='5' height='1'/>", ""), 0U) << "no part is nothing";
+    EXPECT_EQ(told("<svg><path d='M0 0h1'/></svg>", ""), 0U) << "nothing is scaled";
 }
 
 TEST(SvgSwitch, ShowsWhatAReaderOfEnglishSees) {
