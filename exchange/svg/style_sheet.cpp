@@ -129,7 +129,7 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view declarati
         take(value, said[static_cast<std::size_t>(property)]);
     });
     const auto is_said = [](const CssValue& value) { return !value.text.empty(); };
-    const auto* const fonts = said.begin() + static_cast<std::ptrdiff_t>(SvgProperty::font_size);
+    auto* const fonts = said.begin() + static_cast<std::ptrdiff_t>(SvgProperty::font_size);
     const bool has_font = std::any_of(fonts, said.end(), is_said);
     const bool has_other = std::any_of(said.begin(), fonts, is_said);
     if (!has_font && !has_other) return;
