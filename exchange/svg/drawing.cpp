@@ -120,7 +120,7 @@ class Walk {
         if (!is_for_english_viewers(element)) return tell(svg_loss::for_others);
         if (const auto* const loss = loss_of(name)) return tell(*loss);
         const SvgProperties properties(element, sheet_);
-        if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
+        if (properties[SvgProperty::display] == "none") return skip_hidden();
         if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask)) tell(svg_loss::clipped);
         if (!is_group(name) || name == "svg") tell_styled_size(element, properties);
         const Surroundings inside = within(element, properties, around);
@@ -134,6 +134,11 @@ class Walk {
             visit_children(element, inside);
         else
             draw(element, name, inside);
+    }
+
+    void skip_hidden() {
+        ++drawing_.hidden_elements;
+        tell(svg_loss::not_displayed);
     }
 
     // What is repeated by `use` is read again each time.
@@ -226,7 +231,7 @@ class Walk {
         if (name != "symbol" && name != "svg") return visit(element, around);
         if (!may_look_at(element)) return;
         const SvgProperties properties(element, sheet_);
-        if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
+        if (properties[SvgProperty::display] == "none") return skip_hidden();
         const Surroundings inside = within(element, properties, around);
         visit_inner(inner_viewport(element, use, inside.viewport), element, inside);
     }
@@ -235,7 +240,8 @@ class Walk {
         const std::string name = name_of_element(element);
         if (has_unknown_length(element, kind, around.viewport)) return tell(svg_loss::unknown_length, name);
         const std::size_t first = drawing_.curves.size();
-        const OutlineSink sink = [&](const Outline& outline) { return add(outline, name, around.style); };
+        if (has_all_curves_) return tell_further_curves();
+        const OutlineSink sink = [&](const Outline& outline) { return add(outline, name, around); };
         const auto fault = kind == "path" ? read_path_data(element.attribute("d").value(), around.map, sink)
                                           : read_basic_shape(element, kind, around.viewport, around.map, sink);
         if (fault)
@@ -246,9 +252,12 @@ class Walk {
         for (std::size_t i = first; i < drawing_.curves.size(); ++i) drawing_.curves[i].group = name;
     }
 
-    bool add(const Outline& outline, const std::string& name, const SvgStyle& style) {
+    void tell_further_curves() { tell(svg_loss::too_many_curves, {}, std::to_string(drawing_.curves.size())); }
+
+    bool add(const Outline& outline, const std::string& name, const Surroundings& around) {
         if (drawing_.curves.size() == most_svg_curves) {
-            stop(svg_loss::too_many, most_svg_curves);
+            has_all_curves_ = true;
+            tell_further_curves();
             return false;
         }
         auto curve = outline.curve();
@@ -260,12 +269,14 @@ class Walk {
         core::DocumentCurve entry;
         entry.name = names_.take(name);
         entry.curve = std::make_shared<const core::Curve>(*std::move(curve));
-        entry.color = style.color();
-        entry.visible = style.visible;
+        entry.color = around.style.color();
+        entry.visible = around.style.visible;
         drawing_.curves.push_back(std::move(entry));
         drawing_.largest_error = std::max(drawing_.largest_error, outline.closing_gap());
-        if (points_ > most_points) stop(svg_loss::too_many, drawing_.curves.size());
-        return !is_full_;
+        if (points_ <= most_points) return true;
+        has_all_curves_ = true;
+        tell_further_curves();
+        return false;
     }
 
     void tell_styled_size(const xml_node& element, const SvgProperties& properties) {
@@ -305,6 +316,7 @@ class Walk {
     std::size_t bytes_ = 0;  // looked at
     std::size_t most_bytes_ = most_svg_repeated_bytes;
     std::size_t points_ = 0;
+    bool has_all_curves_ = false;  // that are read
     bool is_full_ = false;
     SvgDrawing drawing_;
 };

@@ -14,8 +14,9 @@ struct SvgDrawing {
     std::vector<core::DocumentCurve> curves;
     std::optional<core::DocumentUnits> units{};
     double largest_error = 0.0;
-    Notes notes{};  ///< of what is left out (losses.h)
-    Notes looks{};  ///< of what curves do not have beyond a color, and of the page
+    std::size_t hidden_elements = 0;  ///< that are left out
+    Notes notes{};                    ///< of what is left out (losses.h)
+    Notes looks{};                    ///< of what curves do not have beyond a color, and of the page
 };
 
 /// Walks through `svg`, the outermost element, as read_svg() says.

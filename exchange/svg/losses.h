@@ -33,6 +33,10 @@ inline constexpr core::PluralPattern foreign{"a part that is no SVG is left out"
                                              "{count} parts that are no SVG are left out"};
 inline constexpr core::PluralPattern not_displayed{"an element that is not displayed is left out",
                                                    "{count} elements that are not displayed are left out"};
+/// Of a file of which nothing else is left.
+inline constexpr core::PluralPattern all_hidden{
+    "nothing is read from this file, since all that it draws is hidden: an element is not displayed",
+    "nothing is read from this file, since all that it draws is hidden: {count} elements are not displayed"};
 /// For other languages, or programs with extensions.
 inline constexpr core::PluralPattern for_others{
     "an alternative that viewers do not show for readers of English is left out",
@@ -76,10 +80,14 @@ inline constexpr core::PluralPattern opacity{"the opacity or the filter of a sha
 inline constexpr const char* page =
     "the size of the page is left out; a file that is written has a page around its curves";
 /// The limit stands in for {reason}.
+inline constexpr core::PluralPattern too_many_curves{
+    "a path or a shape behind the first {reason} curves is left out, wholly or in part",
+    "{count} paths or shapes behind the first {reason} curves are left out, wholly or in part"};
 inline constexpr core::PluralPattern too_deep{"elements that are nested more than {reason} deep are left out",
                                               "elements that are nested more than {reason} deep are left out"};
-inline constexpr core::PluralPattern too_many{"what follows the first {reason} curves or elements is left out",
-                                              "what follows the first {reason} curves or elements is left out"};
+inline constexpr core::PluralPattern too_many{
+    "what follows the first {reason} elements is left out, each counted as often as 'use' repeats it",
+    "what follows the first {reason} elements is left out, each counted as often as 'use' repeats it"};
 inline constexpr core::PluralPattern too_often{
     "what follows is left out, since 'use' repeats more than {reason} bytes of the file",
     "what follows is left out, since 'use' repeats more than {reason} bytes of the file"};

@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/sentence.h"
 #include "exchange/places.h"
@@ -44,6 +45,15 @@ bool has_style_sheet(const pugi::xml_document& file) {
     return static_cast<bool>(file.child("xml-stylesheet"));
 }
 
+// Why a drawing has no curves.
+std::string refusal_of_nothing(const SvgDrawing& drawing) {
+    const std::vector<std::string> left_out = drawing.notes.sentences();
+    if (left_out.empty()) return "no path and no shape is drawn in this file";
+    const bool is_all_hidden = left_out.size() == 1 && drawing.hidden_elements > 0;
+    if (is_all_hidden) return core::sentence(svg_loss::all_hidden, drawing.hidden_elements);
+    return core::sentence("nothing is read from this file: {reason}", {{"reason", left_out.front()}});
+}
+
 }  // namespace
 
 core::FileResult<Imported> read_svg(std::string_view text) {
@@ -66,10 +76,7 @@ core::FileResult<Imported> read_svg(std::string_view text) {
                         .report = {.left_out = std::move(copy.told), .looks = std::move(copy.looks)}};
     Imported imported{.document = {},
                       .report = {drawing.largest_error, drawing.notes.sentences(), drawing.looks.sentences()}};
-    if (drawing.curves.empty()) {
-        const auto& left_out = imported.report.left_out;
-        return refused_file(left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());
-    }
+    if (drawing.curves.empty()) return refused_file(refusal_of_nothing(drawing));
     auto& told = imported.report.left_out;
     told.insert(told.end(), copy.told.begin(), copy.told.end());
     imported.document.curves = std::move(drawing.curves);

@@ -27,7 +27,8 @@ inline constexpr std::size_t most_svg_repeated_bytes = std::size_t{64} << 20U;
 /// edge (files of ours say from where); lengths have the unit of the width. Colors are those of strokes, else of fills;
 /// names those of labels, titles, ids. Our own document in the file is what is read, where the file still draws just
 /// its curves on the same page; names, colors and what is hidden may have changed. Nothing outside the text is read and
-/// no entity expanded. Errors: no XML, with its line; compressed; no SVG; too many elements; nothing that is drawn.
+/// no entity expanded. Errors: no XML, with its line; compressed; no SVG; too many elements; nothing that is drawn, and
+/// why.
 [[nodiscard]] core::FileResult<Imported> read_svg(std::string_view text);
 
 }  // namespace batten::exchange

@@ -42,7 +42,16 @@ TEST(BadSvg, IsRefusedWithItsLine) {
               "this is a compressed SVG; gunzip unpacks it, then it can be read");
     EXPECT_EQ(read_svg(std::string("<svg>\n\0</svg>", 13)).error().where, "line 2");
     EXPECT_EQ(read_svg("<svg><text>a</text></svg>").error().sentence(),
-              "a text is left out; in the program that made it, it can be turned into paths");
+              "nothing is read from this file: a text is left out; in the program that made it, it can be turned into "
+              "paths");
+}
+
+TEST(BadSvg, OfWhichAllIsHiddenIsRefusedAsSuch) {
+    const std::string path = "<path d='M0 0h1' style='display:none'/>";
+    EXPECT_EQ(read_svg(svg_file(path)).error().sentence(),
+              "nothing is read from this file, since all that it draws is hidden: an element is not displayed");
+    EXPECT_EQ(read_svg(svg_file("<g display='none'><path d='M0 0h1'/></g>" + path)).error().sentence(),
+              "nothing is read from this file, since all that it draws is hidden: 2 elements are not displayed");
 }
 
 TEST(BadSvg, IsReadOrRefusedTruncatedAnywhere) {
@@ -94,8 +103,8 @@ TEST(BadSvg, MayUseElementsTooOften) {
     const auto imported = read_soon(svg_file(elements));
     ASSERT_TRUE(imported);
     EXPECT_EQ(imported->document.curves.size(), most_svg_curves);
-    EXPECT_EQ(imported->report.left_out,
-              std::vector<std::string>{"what follows the first 100000 curves or elements is left out"});
+    EXPECT_EQ(imported->report.left_out.back(),
+              "what follows the first 500000 elements is left out, each counted as often as 'use' repeats it");
     std::string empty = "<path d='M0 0h1'/><g id='a0'/>";
     for (int i = 1; i < 12; ++i)
         empty += "<g id='a" + std::to_string(i) + "'>" + repeated("<use href='#a" + std::to_string(i - 1) + "'/>", 10) +
@@ -134,7 +143,19 @@ TEST(BadSvg, MayHaveAMillionSubpaths) {
     ASSERT_TRUE(imported);
     EXPECT_EQ(imported->document.curves.size(), most_svg_curves);
     EXPECT_LE(imported->document.curves[0].name.size(), 200U);
+    EXPECT_EQ(
+        imported->report.left_out,
+        std::vector<std::string>{"a path or a shape behind the first 100000 curves is left out, wholly or in part"});
     EXPECT_FALSE(read_soon(svg_file(repeated("<a/>", 5'000'000))));
+}
+
+TEST(BadSvg, MayHaveMorePathsThanAreRead) {
+    const auto imported = read_soon(svg_file(repeated("<path d='M0 0h1'/>", most_svg_curves + 3) + "<circle r='1'/>"));
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(imported->document.curves.size(), most_svg_curves);
+    EXPECT_EQ(
+        imported->report.left_out,
+        std::vector<std::string>{"4 paths or shapes behind the first 100000 curves are left out, wholly or in part"});
 }
 
 TEST(BadSvg, MayHaveManyPiecesInOnePath) {
