@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -62,6 +63,8 @@ struct Surroundings {
     Viewport viewport{};
     SvgStyle style{};
     SvgLook look{};
+    std::string layer{};  // of Inkscape; empty where there is none
+    bool is_locked = false;
     std::size_t depth = 0;
 };
 
@@ -85,6 +88,7 @@ class Walk {
         else
             tell(svg_loss::wrong_transform, name_of_element(svg_));
         visit_children(svg_, around);
+        group_by_layers();
         if (svg_.attribute("viewBox") || svg_.attribute("width")) drawing_.looks.add(svg_loss::page);
         return std::move(drawing_);
     }
@@ -170,6 +174,11 @@ class Walk {
         inside.style = around.style.within(properties);
         inside.look = around.look.within(properties);
         inside.viewport.font = font_within(properties, around.viewport.font);
+        if (std::string_view(element.attribute("sodipodi:insensitive").value()) == "true") inside.is_locked = true;
+        if (std::string_view(element.attribute("inkscape:groupmode").value()) == "layer") {
+            const std::string name = name_of_element(element);
+            inside.layer = shortened(around.layer.empty() ? name : around.layer + " / " + name);
+        }
         if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
         else
@@ -271,12 +280,22 @@ class Walk {
         entry.curve = std::make_shared<const core::Curve>(*std::move(curve));
         entry.color = around.style.color();
         entry.visible = around.style.visible;
+        entry.locked = around.is_locked;
         drawing_.curves.push_back(std::move(entry));
+        layers_.push_back(around.layer);
         drawing_.largest_error = std::max(drawing_.largest_error, outline.closing_gap());
         if (points_ <= most_points) return true;
         has_all_curves_ = true;
         tell_further_curves();
         return false;
+    }
+
+    // A single layer, which each drawing of Inkscape has, says nothing.
+    void group_by_layers() {
+        drawing_.has_layers = std::ranges::adjacent_find(layers_, std::ranges::not_equal_to{}) != layers_.end();
+        if (!drawing_.has_layers) return;
+        for (std::size_t i = 0; i < layers_.size(); ++i)
+            if (!layers_[i].empty()) drawing_.curves[i].group = layers_[i];
     }
 
     void tell_styled_size(const xml_node& element, const SvgProperties& properties) {
@@ -312,6 +331,7 @@ class Walk {
     core::FreeNames names_;
     StyleSheet sheet_{};
     std::vector<xml_node> used_;
+    std::vector<std::string> layers_;  // of each curve
     std::size_t visited_ = 0;
     std::size_t bytes_ = 0;  // looked at
     std::size_t most_bytes_ = most_svg_repeated_bytes;

@@ -13,6 +13,7 @@ namespace batten::exchange {
 struct SvgDrawing {
     std::vector<core::DocumentCurve> curves;
     std::optional<core::DocumentUnits> units{};
+    bool has_layers = false;  ///< of Inkscape, in one of which not all curves are; they are groups
     double largest_error = 0.0;
     std::size_t hidden_elements = 0;  ///< that are left out
     Notes notes{};                    ///< of what is left out (losses.h)

@@ -69,6 +69,9 @@ std::string fingerprint_of_looks(const SvgDrawing& drawing) {
         fingerprint.add(entry.name);
         fingerprint.add(entry.color ? core::color_text(*entry.color) : std::string());
         fingerprint.add(static_cast<std::uint64_t>(entry.visible ? 1 : 0));
+        // Which files of this program do not have.
+        if (entry.locked) fingerprint.add(std::string_view("locked"));
+        if (drawing.has_layers) fingerprint.add(entry.group);
     }
     return fingerprint.text();
 }
@@ -101,6 +104,8 @@ bool take_looks(core::Document& document, const SvgDrawing& drawing) {
         visible[i]->name = drawing.curves[i].name;
         visible[i]->color = drawing.curves[i].color;
         visible[i]->visible = drawing.curves[i].visible;
+        visible[i]->locked = visible[i]->locked || drawing.curves[i].locked;
+        if (drawing.has_layers && !drawing.curves[i].group.empty()) visible[i]->group = drawing.curves[i].group;
     }
     return true;
 }
@@ -138,7 +143,8 @@ NativeCopy native_copy(const pugi::xml_node& svg, const SvgDrawing& drawing) {
     NativeCopy found{.document = *std::move(document)};
     if (!has_mark(looks_mark, fingerprint_of_looks(drawing))) {
         if (!take_looks(*found.document, drawing)) return left_out_since(other_drawing);
-        found.told.emplace_back("names, colors and what is hidden are as another program has changed them");
+        found.told.emplace_back(
+            "names, colors, layers, locks and what is hidden are as another program has changed them");
     }
     if (!has_mark(losses_mark, fingerprint_of(drawing.notes)))
         for (const std::string& sentence : drawing.notes.sentences()) found.told.push_back(sentence);

@@ -25,10 +25,10 @@ inline constexpr std::size_t most_svg_repeated_bytes = std::size_t{64} << 20U;
 /// that `use` repeats; each subpath is a curve. Lines, Bézier pieces and arcs are exact; the degree is that of the
 /// highest piece, and closed subpaths are periodic. Coordinates are those of the viewBox, but y goes up from its lower
 /// edge (files of ours say from where); lengths have the unit of the width. Colors are those of strokes, else of fills;
-/// names those of labels, titles, ids. Our own document in the file is what is read, where the file still draws just
-/// its curves on the same page; names, colors and what is hidden may have changed. Nothing outside the text is read and
-/// no entity expanded. Errors: no XML, with its line; compressed; no SVG; too many elements; nothing that is drawn, and
-/// why.
+/// names those of labels, titles, ids. Layers of Inkscape become groups where there are several; what is locked is
+/// locked. Our own document in the file is what is read, where the file still draws just its curves on the same page;
+/// names, colors, layers, locks and what is hidden may have changed. Nothing outside the text is read and no entity
+/// expanded. Errors: no XML, with its line; compressed; no SVG; too many elements; nothing that is drawn, and why.
 [[nodiscard]] core::FileResult<Imported> read_svg(std::string_view text);
 
 }  // namespace batten::exchange

@@ -356,6 +356,24 @@ TEST(SvgTree, LeavesOutWhatIsNoCurveWithOneSentenceForEachKind) {
                                   "an element that is clipped or masked is read whole"}));
 }
 
+TEST(SvgTree, KeepsTheLayersAndLocksOfInkscape) {
+    const std::string layer = "<g inkscape:groupmode='layer' inkscape:label=";
+    const auto curves =
+        read_elements(layer + "'Hull' id='layer1'><path id='a' d='M0 0h1'/>" + layer +
+                      "'Ribs' sodipodi:insensitive='true'><g><path id='b' d='M0 0h1M0 1h1'/></g></g></g>"
+                      "<path id='c' d='M0 0h1'/><path id='d' sodipodi:insensitive='true' d='M0 0h1M0 1h1'/>")
+            .document.curves;
+    ASSERT_EQ(curves.size(), 6U);
+    const std::vector<std::string> groups{"Hull", "Hull / Ribs", "Hull / Ribs", "", "d", "d"};
+    const std::vector<bool> locks{false, true, true, false, true, true};
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        EXPECT_EQ(curves[i].group, groups[i]) << i;
+        EXPECT_EQ(curves[i].locked, locks[i]) << i;
+    }
+    const auto of_one_layer = read_elements(layer + "'Layer 1'><path d='M0 0h1'/><path d='M0 0h2'/></g>").document;
+    EXPECT_EQ(of_one_layer.curves[1].group, "") << "which all are in";
+}
+
 TEST(SvgTree, KeepsNamesColorsAndWhatIsHidden) {
     const Imported imported = read_elements(
         R"svg(<g stroke="#123456"><path id="a" d="M0 0h1"/><path id="b" inkscape:label="hull" style="stroke:none;fill:TEAL" d="M0 0h1"/>

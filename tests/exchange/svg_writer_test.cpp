@@ -286,13 +286,16 @@ TEST(SvgWriter, KeepsTheDocumentWithOtherNamesAndColors) {
         EXPECT_EQ(imported.document.curves[0].name, "curve 0");
         EXPECT_FALSE(imported.document.curves[0].visible);
         EXPECT_EQ(imported.report.left_out,
-                  std::vector<std::string>{"names, colors and what is hidden are as another program has changed them"});
+                  std::vector<std::string>{
+                      "names, colors, layers, locks and what is hidden are as another program has changed them"});
         return imported.document.curves[1];
     };
     EXPECT_EQ(edited("#010203", "#010204").color, (core::DocumentColor{1, 2, 4}));
     EXPECT_EQ(edited("</title>", " b</title>").name, "curve 1 b");
     EXPECT_EQ(edited("</title>", " b</title>").color, (core::DocumentColor{1, 2, 3}));
     EXPECT_FALSE(edited("<path", "<path visibility='hidden'").visible);
+    EXPECT_TRUE(edited("<path", "<path sodipodi:insensitive='true'").locked);
+    EXPECT_FALSE(edited("#010203", "#010204").locked);
 }
 
 TEST(SvgWriter, LetsTheColorsOfTornCurvesWin) {
