@@ -5,12 +5,14 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 #include "core/base/utf8.h"
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/conditions.h"
+#include "exchange/svg/frame.h"
 #include "exchange/svg/look.h"
 #include "exchange/svg/losses.h"
 #include "exchange/svg/path_data.h"
@@ -61,6 +63,7 @@ PlaneMap in_view_box(const PlaneMap& map, const PlaneMap& shown) {
 struct Surroundings {
     PlaneMap map{};
     Viewport viewport{};
+    std::shared_ptr<const SvgFrame> frame{};
     SvgStyle style{};
     SvgLook look{};
     std::string layer{};  // of Inkscape; empty where there is none
@@ -133,7 +136,7 @@ class Walk {
         else if (name == "switch")
             visit_switch(element, inside);
         else if (name == "svg")
-            visit_inner(inner_viewport(element, inside.viewport), element, inside);
+            visit_inner(inner_viewport(element, inside.viewport), element, properties, inside);
         else if (is_group(name))
             visit_children(element, inside);
         else
@@ -192,9 +195,12 @@ class Walk {
         return font;
     }
 
-    void visit_inner(const InnerViewport& inner, const xml_node& element, Surroundings around) {
+    void visit_inner(const InnerViewport& inner, const xml_node& element, const SvgProperties& properties,
+                     Surroundings around) {
         if (inner.is_empty) return;
         if (inner.is_unknown) return tell(svg_loss::unknown_length, name_of_element(element));
+        if (!inner.box.is_empty() && properties[SvgProperty::overflow] != "visible")
+            around.frame = std::make_shared<SvgFrame>(SvgFrame{inner.box, around.map, around.frame});
         around.map = chained(around.map, inner.map);
         around.viewport = inner.viewport;
         visit_children(element, around);
@@ -242,7 +248,7 @@ class Walk {
         const SvgProperties properties(element, sheet_);
         if (properties[SvgProperty::display] == "none") return skip_hidden();
         const Surroundings inside = within(element, properties, around);
-        visit_inner(inner_viewport(element, use, inside.viewport), element, inside);
+        visit_inner(inner_viewport(element, use, inside.viewport), element, properties, inside);
     }
 
     void draw(const xml_node& element, std::string_view kind, const Surroundings& around) {
@@ -257,6 +263,10 @@ class Walk {
             tell(kind == "path" ? svg_loss::wrong_path : svg_loss::wrong_points,
                  core::sentence("character {character} of '{name}'", {{"character", *fault + 1}, {"name", name}}));
         if (drawing_.curves.size() > first && around.style.visible) around.look.tell_losses(kind, drawing_.looks);
+        const auto drawn = std::span(drawing_.curves).subspan(first);
+        if (std::ranges::any_of(
+                drawn, [&](const core::DocumentCurve& entry) { return is_cut_off(*entry.curve, around.frame.get()); }))
+            tell(svg_loss::cut_off, name);
         if (drawing_.curves.size() < first + 2) return;
         for (std::size_t i = first; i < drawing_.curves.size(); ++i) drawing_.curves[i].group = name;
     }

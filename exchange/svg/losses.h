@@ -52,6 +52,11 @@ inline constexpr core::PluralPattern circle{
     "{count} elements that use themselves are left out, the first one '{place}'"};
 inline constexpr core::PluralPattern clipped{"an element that is clipped or masked is read whole",
                                              "{count} elements that are clipped or masked are read whole"};
+/// At the edge of an svg element or a symbol inside.
+inline constexpr core::PluralPattern cut_off{
+    "'{place}' is read whole, though the inner drawing or the symbol that it is in cuts it off",
+    "{count} shapes are read whole, first '{place}', though the inner drawings or symbols that they are in cut them "
+    "off"};
 inline constexpr core::PluralPattern style_sheet{
     "a style sheet is not read, so colors and lines may be others, and what it hides or moves is read as if it did not",
     "{count} style sheets are not read, so colors and lines may be others, and what they hide or move is read as if "

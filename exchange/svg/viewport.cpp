@@ -204,7 +204,8 @@ InnerViewport inner_viewport(const pugi::xml_node& element, const pugi::xml_node
     const auto box = view_box(element);
     if (!x || !y || (box && !(width && height))) return {.is_unknown = true};
     const Viewport plain{.width = width.value_or(0.0), .height = height.value_or(0.0), .font = outer.font};
-    if (!box) return {.viewport = plain, .map = scaled_and_moved({}, *x, *y)};
+    const core::Box frame = width && height ? core::Box{{*x, *y}, {*x + *width, *y + *height}} : core::Box();
+    if (!box) return {.viewport = plain, .map = scaled_and_moved({}, *x, *y), .box = frame};
     Viewport viewport = *box;
     viewport.font = outer.font;
     if (!(plain.width > 0.0 && plain.height > 0.0)) return {.viewport = viewport, .map = scaled_and_moved({}, *x, *y)};
@@ -213,7 +214,8 @@ InnerViewport inner_viewport(const pugi::xml_node& element, const pugi::xml_node
     const double room_x = (plain.width - scale.x * box->width) * alignment_share(wish, "xMin", "xMax");
     const double room_y = (plain.height - scale.y * box->height) * alignment_share(wish, "YMin", "YMax");
     return {.viewport = viewport,
-            .map = scaled_and_moved(scale, *x + room_x - scale.x * box->left, *y + room_y - scale.y * box->top)};
+            .map = scaled_and_moved(scale, *x + room_x - scale.x * box->left, *y + room_y - scale.y * box->top),
+            .box = frame};
 }
 
 }  // namespace batten::exchange

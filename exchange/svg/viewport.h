@@ -66,6 +66,7 @@ Page page_of(const pugi::xml_node& svg);
 struct InnerViewport {
     Viewport viewport{};
     core::PlaneMap map{};
+    core::Box box{};          ///< where it stands in `outer`; empty where the file does not say its size
     bool is_empty = false;    ///< its box has the size 0, so that nothing is drawn
     bool is_unknown = false;  ///< the file does not say where its box is, or how large where that counts
 };

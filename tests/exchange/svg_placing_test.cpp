@@ -293,6 +293,40 @@ TEST(SvgLengths, InPartsOfAPageWithoutASizeAreTold) {
     EXPECT_EQ(told("<svg><path d='M0 0h1'/></svg>", ""), 0U) << "nothing is scaled";
 }
 
+TEST(SvgFrames, ThatCutShapesOffAreTold) {
+    const auto told = [](const std::string& elements) {
+        return read_svg("<svg viewBox='0 0 100 100'>" + elements + "</svg>")->report.left_out;
+    };
+    const auto inner = [&](const std::string& attributes, const std::string& shape) {
+        return told("<svg x='10' y='20' width='30' height='40' " + attributes + ">" + shape + "</svg>");
+    };
+    const std::vector<std::string> cut{
+        "'p' is read whole, though the inner drawing or the symbol that it is in cuts it off"};
+    const std::vector<std::string> none{};
+    EXPECT_EQ(inner("", "<path id='p' d='M0 0L30 40'/>"), none);
+    EXPECT_EQ(inner("", "<path id='p' d='M0 0L30.001 40'/>"), cut);
+    EXPECT_EQ(inner("", "<path id='p' d='M0 0L30 40M0 -.001h1'/>"), cut);
+    EXPECT_EQ(inner("overflow='visible'", "<path id='p' d='M0 0L31 40'/>"), none);
+    EXPECT_EQ(inner("style='overflow:visible'", "<path id='p' d='M0 0L31 40'/>"), none);
+    // The highest point of the cubic is at 3/4 of its control points.
+    EXPECT_EQ(inner("", "<path id='p' d='M0 30C0 43 30 43 30 30'/>"), none);
+    EXPECT_EQ(inner("", "<path id='p' d='M0 30C0 43.5 30 43.5 30 30'/>"), cut);
+    // The box is as wide as the element, also where the viewBox is not.
+    EXPECT_EQ(inner("viewBox='0 0 30 30'", "<path id='p' d='M0 -5V35'/>"), none);
+    EXPECT_EQ(inner("viewBox='0 0 30 30'", "<path id='p' d='M0 -5.1V35'/>"), cut);
+    EXPECT_EQ(inner("transform='rotate(30) scale(2)'", "<circle id='p' cx='15' cy='15' r='15'/>"), none);
+    EXPECT_EQ(inner("transform='rotate(30) scale(2)'", "<circle id='p' cx='15' cy='15' r='15.1'/>"), cut);
+    // Of two boxes also the outer one cuts off.
+    EXPECT_EQ(inner("", "<svg width='50' height='9'><path id='p' d='M0 0h29'/></svg>"), none);
+    EXPECT_EQ(inner("", "<svg width='50' height='9'><path id='p' d='M0 0h31'/></svg>"), cut);
+    EXPECT_EQ(told("<symbol id='s' viewBox='0 0 2 2'><path id='p' d='M0 0h3'/></symbol><use href='#s' width='9' "
+                   "height='9'/>"),
+              cut);
+    EXPECT_EQ(inner("", "<path id='p' d='M0 0h31'/><path d='M0 0v41'/>"),
+              std::vector<std::string>{"2 shapes are read whole, first 'p', though the inner drawings or symbols that "
+                                       "they are in cut them off"});
+}
+
 TEST(SvgSwitch, ShowsWhatAReaderOfEnglishSees) {
     const auto ends = [](const std::string& first, const std::string& second) {
         const Imported imported = read_elements("<switch><path " + first + " d='M0 0h1'/><path " + second +
