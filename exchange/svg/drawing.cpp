@@ -180,7 +180,10 @@ class Walk {
         if (std::string_view(element.attribute("sodipodi:insensitive").value()) == "true") inside.is_locked = true;
         if (std::string_view(element.attribute("inkscape:groupmode").value()) == "layer") {
             const std::string name = name_of_element(element);
-            inside.layer = shortened(around.layer.empty() ? name : around.layer + " / " + name);
+            inside.layer =
+                around.layer.empty()
+                    ? name
+                    : shortened(core::sentence("{outer} / {inner}", {{"outer", around.layer}, {"inner", name}}));
         }
         if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
