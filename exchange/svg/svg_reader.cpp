@@ -20,7 +20,7 @@ namespace {
 // Refuses what would take much memory as a tree, or is no text.
 core::FileResult<void> check_text(std::string_view text) {
     if (text.starts_with("\x1f\x8b"))
-        return refused_file("this is a compressed SVG; gunzip unpacks it, then it can be read");
+        return refused_file("this is no XML but what gzip makes of it");
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         return refused_file("there is a zero byte, which no XML has; SVG is read as UTF-8",
                             line_place(line_of(text, zero)));

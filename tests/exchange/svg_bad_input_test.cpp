@@ -39,7 +39,7 @@ TEST(BadSvg, IsRefusedWithItsLine) {
     EXPECT_EQ(read_svg("").error().sentence(), "line 1: this is no XML: No document element found");
     EXPECT_EQ(read_svg("<html/>").error().sentence(), "the file is a 'html'; an 'svg' is needed");
     EXPECT_EQ(read_svg("\x1f\x8b\x08...").error().sentence(),
-              "this is a compressed SVG; gunzip unpacks it, then it can be read");
+              "this is no XML but what gzip makes of it");
     EXPECT_EQ(read_svg(std::string("<svg>\n\0</svg>", 13)).error().where, "line 2");
     EXPECT_EQ(read_svg("<svg><text>a</text></svg>").error().sentence(),
               "nothing is read from this file: a text is left out; in the program that made it, it can be turned into "
