@@ -12,6 +12,7 @@
 #include "core/base/utf8.h"
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/conditions.h"
+#include "exchange/svg/entities.h"
 #include "exchange/svg/frame.h"
 #include "exchange/svg/look.h"
 #include "exchange/svg/losses.h"
@@ -99,9 +100,11 @@ class Walk {
   private:
     // Without recursion, since this goes as deep as the file does.
     void index_ids() {
+        const auto entities = entity_names(svg_.root());
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
+            if (const auto entity = used_entity(node, entities)) tell(svg_loss::entity, shortened(*entity));
             if (local_name(node) == "style" && prefix_of(node) == prefix_) sheet_.add(node, drawing_.notes);
             if (node.first_child()) {
                 node = node.first_child();

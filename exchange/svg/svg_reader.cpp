@@ -19,8 +19,7 @@ namespace {
 
 // Refuses what would take much memory as a tree, or is no text.
 core::FileResult<void> check_text(std::string_view text) {
-    if (text.starts_with("\x1f\x8b"))
-        return refused_file("this is no XML but what gzip makes of it");
+    if (text.starts_with("\x1f\x8b")) return refused_file("this is no XML but what gzip makes of it");
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         return refused_file("there is a zero byte, which no XML has; SVG is read as UTF-8",
                             line_place(line_of(text, zero)));
@@ -29,15 +28,6 @@ core::FileResult<void> check_text(std::string_view text) {
         return refused_file(core::sentence("there are more than {most} elements and attributes, the most that are read",
                                            {{"most", most_svg_elements}}));
     return {};
-}
-
-// Whether the file defines entities, which are never expanded.
-bool has_entities(const pugi::xml_document& file) {
-    for (const pugi::xml_node& node : file.children())
-        if (node.type() == pugi::node_doctype &&
-            std::string_view(node.value()).find("<!ENTITY") != std::string_view::npos)
-            return true;
-    return false;
 }
 
 // Whether the file has its styles elsewhere, where nothing is read.
@@ -69,7 +59,6 @@ core::FileResult<Imported> read_svg(std::string_view text) {
         return refused_file(core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
     SvgDrawing drawing = drawing_of(svg);
     if (has_style_sheet(file)) drawing.notes.add(svg_loss::style_sheet, [] { return std::string(); });
-    if (has_entities(file)) drawing.notes.add("entities that the file defines are not read");
     NativeCopy copy = native_copy(svg, drawing);
     if (copy.document)
         return Imported{.document = *std::move(copy.document),

@@ -38,8 +38,7 @@ TEST(BadSvg, IsRefusedWithItsLine) {
     EXPECT_EQ(read_svg("<svg>\n<path\n</svg>").error().where, "line 3");
     EXPECT_EQ(read_svg("").error().sentence(), "line 1: this is no XML: No document element found");
     EXPECT_EQ(read_svg("<html/>").error().sentence(), "the file is a 'html'; an 'svg' is needed");
-    EXPECT_EQ(read_svg("\x1f\x8b\x08...").error().sentence(),
-              "this is no XML but what gzip makes of it");
+    EXPECT_EQ(read_svg("\x1f\x8b\x08...").error().sentence(), "this is no XML but what gzip makes of it");
     EXPECT_EQ(read_svg(std::string("<svg>\n\0</svg>", 13)).error().where, "line 2");
     EXPECT_EQ(read_svg("<svg><text>a</text></svg>").error().sentence(),
               "nothing is read from this file: a text is left out; in the program that made it, it can be turned into "
@@ -80,9 +79,29 @@ TEST(BadSvg, ExpandsNoEntity) {
     const auto imported = read_soon(bomb);
     ASSERT_TRUE(imported);
     EXPECT_EQ(imported->document.curves.size(), 1U);
-    EXPECT_EQ(imported->report.left_out.front(),
-              "the path data go wrong at character 1 of 'p'; they are read up to there");
-    EXPECT_EQ(imported->report.left_out.back(), "entities that the file defines are not read");
+    EXPECT_EQ(imported->report.left_out,
+              (std::vector<std::string>{
+                  "2 elements have entities of the file, first '&a29;', of which none is expanded; what these say of "
+                  "shapes and colors is lost",
+                  "the path data go wrong at character 1 of 'p'; they are read up to there",
+                  "a text is left out; in the program that made it, it can be turned into paths"}));
+}
+
+// Illustrator names namespaces by entities, and in old files styles.
+TEST(BadSvg, MayDefineEntitiesThatNothingDrawnHas) {
+    const auto told = [](const std::string& attributes) {
+        const auto imported = read_svg(
+            "<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' 'svg11.dtd' [<!ENTITY ns_svg "
+            "'http://www.w3.org/2000/svg'>\n<!ENTITY st0 'stroke:red'>]><svg xmlns='&ns_svg;' "
+            "xmlns:a='&ns_svg;'><path d='M0 0h1' " +
+            attributes + "/></svg>");
+        return imported->report.left_out;
+    };
+    EXPECT_EQ(told(""), std::vector<std::string>{});
+    EXPECT_EQ(told("id='&other; &lt;'"), std::vector<std::string>{}) << "which is none of the file";
+    EXPECT_EQ(told("style='&st0;'"),
+              std::vector<std::string>{"'&st0;' is left as it stands, since no entity of a file is expanded; what it "
+                                       "says of shapes and colors is lost"});
 }
 
 TEST(BadSvg, MayBeNestedDeep) {
