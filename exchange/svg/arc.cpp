@@ -47,14 +47,14 @@ struct PreciseVector {
 PreciseVector precise_direction(DoubleDouble degrees) {
     constexpr double full_turn = 360.0;
     constexpr double quarter_turn = 90.0;
-    constexpr int last_term = 30;  // below 1e-35
+    constexpr double negligible = 1e-34;
     const DoubleDouble pi(std::numbers::pi, 1.2246467991473532e-16);
     const DoubleDouble turn = core::exact_sum(std::fmod(degrees.high, full_turn), std::fmod(degrees.low, full_turn));
     const double quarters = std::round(turn.high / quarter_turn);
     const DoubleDouble angle = (turn - quarters * quarter_turn) * pi / (2.0 * quarter_turn);
     PreciseVector direction{1.0, 0.0};
     DoubleDouble term = 1.0;
-    for (int n = 1; n <= last_term; ++n) {
+    for (int n = 1; std::abs(term.high) > negligible; ++n) {
         term = term * angle / static_cast<double>(n);
         DoubleDouble& sum = n % 2 == 0 ? direction.x : direction.y;
         sum = n % 4 < 2 ? sum + term : sum - term;
