@@ -21,8 +21,8 @@ struct NativeCopy {
     std::vector<std::string> looks{};          ///< what is lost of the look that another program has given it
 };
 
-/// The document in `svg`, which draws `drawing`. Names, colors and what is hidden are those of the drawing where these
-/// alone have changed; where a curve or the page has there is none.
+/// The document in `svg`, which draws `drawing`. Names, colors, layers, locks and what is hidden are those of the
+/// drawing where these alone have changed; where a curve or the page has there is none.
 NativeCopy native_copy(const pugi::xml_node& svg, const SvgDrawing& drawing);
 
 }  // namespace batten::exchange
