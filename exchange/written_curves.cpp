@@ -1,8 +1,11 @@
 #include "exchange/written_curves.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/base/double_double.h"
 #include "core/base/sentence.h"
+#include "core/curve/control_box.h"
 #include "exchange/refusal.h"
 
 namespace batten::exchange {
@@ -51,6 +54,18 @@ std::vector<std::string> parts_without_place(const core::Document& document, con
     return parts;
 }
 
+// How far knot `i` of an unrolled vector is from the one that the period makes of it without rounding.
+double rounding_of_knot(const core::KnotVector& knots, std::size_t i) {
+    const std::span<const double> period = knots.stored();
+    const auto n = static_cast<std::ptrdiff_t>(period.size()) - 1;
+    const std::ptrdiff_t from_seam = static_cast<std::ptrdiff_t>(i) - knots.degree();
+    const std::ptrdiff_t turns = (from_seam - (from_seam < 0 ? n - 1 : 0)) / n;
+    const core::DoubleDouble length = core::exact_sum(period.back(), -period.front());
+    const core::DoubleDouble exact = core::DoubleDouble(period[static_cast<std::size_t>(from_seam - turns * n)]) +
+                                     core::DoubleDouble(static_cast<double>(turns)) * length;
+    return std::abs((exact - core::DoubleDouble(knots[i])).rounded());
+}
+
 }  // namespace
 
 core::FileResult<std::vector<const core::DocumentCurve*>> visible_curves(const core::Document& document) {
@@ -80,6 +95,35 @@ core::CurveDefinition full_definition(const core::Curve& curve) {
     definition.periodic = false;
     definition.tears = core::Tears::allow;
     return definition;
+}
+
+// The derivative by a knot is a mean of the differences (P(i+1) - P(i)) / (u(i+p+1) - u(i+1)) over whose knots it is,
+// of homogeneous points about the middle of the curve. Source: Schumaker, Spline Functions, 4.8.
+double unrolling_error(const core::Curve& curve) {
+    if (!curve.is_periodic()) return 0.0;
+    const core::CurveDefinition full = full_definition(curve);
+    const core::Box box = core::control_box(curve);
+    const core::Point middle = core::middle(box.lower, box.upper);
+    const double radius = core::distance(middle, box.upper);
+    const auto weight = [&](std::size_t i) { return full.weights.empty() ? 1.0 : full.weights[i]; };
+    const auto slope = [&](std::size_t i, std::size_t p) {
+        const core::Vector lifted =
+            weight(i + 1) * (full.points[i + 1] - middle) - weight(i) * (full.points[i] - middle);
+        const double change = core::length(lifted) + radius * std::abs(weight(i + 1) - weight(i));
+        return change / (full.knots[i + p + 1] - full.knots[i + 1]);
+    };
+    const auto p = static_cast<std::size_t>(curve.degree());
+    double sum = 0.0;
+    for (std::size_t k = 1; k + 1 < full.knots.size(); ++k) {
+        const double rounding = rounding_of_knot(curve.knots(), k);
+        if (rounding == 0.0) continue;
+        double steepest = 0.0;
+        for (std::size_t i = k > p + 1 ? k - p - 1 : 0; i < std::min(k, full.points.size() - 1); ++i)
+            steepest = std::max(steepest, slope(i, p));
+        sum += rounding * steepest;
+    }
+    constexpr double higher_terms = 2.0;
+    return higher_terms * sum / *std::ranges::min_element(curve.weights());
 }
 
 void note_losses(Notes& notes, const core::Document& document, const FormatPlaces& places) {

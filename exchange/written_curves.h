@@ -10,8 +10,12 @@ namespace batten::exchange {
 [[nodiscard]] core::FileResult<std::vector<const core::DocumentCurve*>> visible_curves(const core::Document& document);
 
 /// The curve over a full knot vector: itself, and a periodic one with its control points wrapped, over the knots of its
-/// unrolled vector. It has the same points over the same domain. No weights where all are 1.
+/// unrolled vector; unrolling_error() is how far that is off. No weights where all are 1.
 core::CurveDefinition full_definition(const core::Curve& curve);
+
+/// How far the curve over the full knot vector is from a periodic one, at most: the knots outside its domain, whole
+/// periods from those inside, may be rounded. 0 where none is. Cost O(n + p^2).
+double unrolling_error(const core::Curve& curve);
 
 /// What a format has a place for beside open curves and their names.
 struct FormatPlaces {
