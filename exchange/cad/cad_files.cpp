@@ -9,6 +9,7 @@
 #include "exchange/cad/iges_check.h"
 #include "exchange/cad/occt_process.h"
 #include "exchange/cad/step_check.h"
+#include "exchange/cad/step_text.h"
 #include "exchange/refusal.h"
 
 namespace batten::exchange {
@@ -175,7 +176,7 @@ core::FileResult<Imported> read_iges(std::string_view text) {
 
 core::FileResult<Imported> read_step(std::string_view text) {
     if (auto defect = step_defect(text)) return tl::unexpected(*std::move(defect));
-    return read_through_occt("step", text);
+    return read_through_occt("step", step_text_for_occt(text));
 }
 
 core::FileResult<Exported> write_iges(const core::Document& document, const WriteOptions& /*options*/) {

@@ -1,117 +1,18 @@
 #include "exchange/cad/step_check.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/base/ascii.h"
-#include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "exchange/cad/step_text.h"
 #include "exchange/places.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {
 
 namespace {
-
-using Id = std::uint64_t;
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
-
-// Words that programs make up begin with '!'.
-bool begins_word(char c) {
-    return core::is_letter(c) || c == '!';
-}
-
-// The first word of a file has two that words of instances have not.
-bool is_word(char c) {
-    return begins_word(c) || core::is_digit(c) || c == '_' || c == '-';
-}
-
-// Goes through the text of a file from sign to sign.
-class StepText {
-  public:
-    explicit StepText(std::string_view text) : text_(text) {}
-
-    std::size_t at() const { return at_; }
-    std::string_view rest() const { return text_.substr(at_); }
-    bool is_at_end() const { return at_ == text_.size(); }
-    void go_on(std::size_t count = 1) { at_ = std::min(text_.size(), at_ + count); }
-
-    // Behind blanks and comments.
-    char next() {
-        while (!is_at_end()) {
-            if (rest().starts_with("/*"))
-                skip_comment();
-            else if (is_blank(text_[at_]))
-                ++at_;
-            else
-                return text_[at_];
-        }
-        return '\0';
-    }
-
-    bool take(char c) {
-        if (next() != c) return false;
-        go_on();
-        return true;
-    }
-
-    void skip_comment() {
-        const std::size_t end = text_.find("*/", at_ + 2);
-        at_ = end == std::string_view::npos ? text_.size() : end + 2;
-    }
-
-    // What stands between two quotes, of which a pair inside stands for one.
-    bool take_quoted(char quote) {
-        if (!take(quote)) return false;
-        while (!is_at_end()) {
-            at_ = std::min(text_.find(quote, at_), text_.size());
-            go_on();
-            if (is_at_end() || text_[at_] != quote) return text_[at_ - 1] == quote;
-            go_on();
-        }
-        return false;
-    }
-
-    std::string_view take_word() {
-        next();
-        const std::size_t begin = at_;
-        while (!is_at_end() && is_word(text_[at_])) ++at_;
-        return text_.substr(begin, at_ - begin);
-    }
-
-    // The number behind '#'.
-    std::optional<Id> take_id() {
-        if (!take('#')) return std::nullopt;
-        Id id = 0;
-        const auto [end, error] = std::from_chars(rest().data(), rest().data() + rest().size(), id);
-        if (error != std::errc()) return std::nullopt;
-        go_on(static_cast<std::size_t>(end - rest().data()));
-        return id;
-    }
-
-    bool take_number() {
-        const auto number = core::leading_number(rest());
-        if (number) go_on(number->length);
-        return number.has_value();
-    }
-
-    // To the end of a statement that is not looked at.
-    void skip_statement() {
-        while (next() != ';' && !is_at_end())
-            if (!take_quoted('\'')) go_on();
-        go_on();
-    }
-
-  private:
-    std::string_view text_;
-    std::size_t at_ = 0;
-};
 
 class StepCheck {
   public:
@@ -125,7 +26,7 @@ class StepCheck {
     bool take_list();
     bool take_value();
     std::optional<core::FileError> wrong_id();
-    std::size_t offset_of(Id id, bool is_instance) const;
+    std::size_t offset_of(StepId id, bool is_instance) const;
 
     core::FileError defect_at(std::size_t offset, std::string what) const {
         return {line_place(line_of(all_, offset)), std::move(what)};
@@ -138,18 +39,19 @@ class StepCheck {
     std::string_view all_;
     StepText text_;
     std::size_t value_begin_ = 0;  // of the value that was looked at last
-    std::vector<Id> ids_{};
-    std::vector<Id> named_{};
+    std::vector<StepId> ids_{};
+    std::vector<StepId> named_{};
 };
 
 std::optional<core::FileError> StepCheck::defect() {
     constexpr std::string_view head = "ISO-10303-21";
     constexpr std::string_view tail = "END-ISO-10303-21";
-    if (all_.starts_with("\xef\xbb\xbf")) text_.go_on(3);
+    text_.skip_byte_order_mark();
     if (text_.take_word() != head || !text_.take(';'))
-        return core::FileError{{}, "this is no STEP file, which begins with ISO-10303-21;"};
+        return core::FileError{{}, "this is no STEP file, since it does not begin with ISO-10303-21"};
     bool is_data = false;
     while (text_.next() != '\0') {
+        if (text_.take(';')) continue;
         const std::size_t begin = text_.at();
         if (is_data && text_.next() == '#') {
             value_begin_ = begin;
@@ -203,7 +105,7 @@ bool StepCheck::take_list() {
             may_end = true;
             continue;
         }
-        if (begins_word(first)) {  // the type of the list that follows
+        if (begins_step_word(first)) {  // the type of the list that follows
             text_.take_word();
             if (text_.next() != '(') return false;
             continue;
@@ -236,7 +138,7 @@ std::optional<core::FileError> StepCheck::wrong_id() {
         return defect_at(offset_of(*twice, true),
                          core::sentence("two instances have the number #{id}", {{"id", *twice}}));
     const auto missing = std::find_if(named_.begin(), named_.end(),
-                                      [&](Id id) { return !std::binary_search(ids_.begin(), ids_.end(), id); });
+                                      [&](StepId id) { return !std::binary_search(ids_.begin(), ids_.end(), id); });
     if (missing == named_.end()) return std::nullopt;
     return defect_at(offset_of(*missing, false),
                      core::sentence("the instance #{id}, which is named here, is not in the file; a part is missing",
@@ -244,7 +146,7 @@ std::optional<core::FileError> StepCheck::wrong_id() {
 }
 
 // Where `id` is named first, or the last instance of that number begins.
-std::size_t StepCheck::offset_of(Id id, bool is_instance) const {
+std::size_t StepCheck::offset_of(StepId id, bool is_instance) const {
     const std::string sign = core::sentence("#{id}", {{"id", id}});
     std::size_t found = 0;
     for (std::size_t at = all_.find(sign); at != std::string_view::npos; at = all_.find(sign, at + 1)) {

@@ -32,6 +32,12 @@ TEST(StepCheck, FindsNothingInAWholeFile) {
     EXPECT_EQ(step_defect_of(step_file("")), "");
 }
 
+TEST(StepCheck, TakesByteOrderMarksEmptyStatementsAndLinesThatEndAnywhere) {
+    EXPECT_EQ(step_defect_of("\xef\xbb\xbf" + step_file(whole_data)), "");
+    EXPECT_EQ(step_defect_of(step_file("#1\r\n=\nPOINT\n();;\n;")), "");
+    EXPECT_EQ(step_defect_of("ISO-10303-21;;\nDATA;\nENDSEC;;END-ISO-10303-21;"), "");
+}
+
 TEST(StepCheck, TakesNumbersBelowTheDoublesForZeros) {
     EXPECT_EQ(step_defect_of(step_file("#1=POINT('',(1.E-400,-1.E-400));\n")), "");
     EXPECT_NE(step_defect_of(step_file("#1=POINT('',(1.E400,0.));\n")), "");
@@ -73,7 +79,7 @@ TEST(StepCheck, NamesTheLineOfWhatIsWrong) {
               "line 2: the file ends within the instance that begins here; a part is missing");
     EXPECT_EQ(step_defect_of("\x7f"
                              "ELF"),
-              "this is no STEP file, which begins with ISO-10303-21;");
+              "this is no STEP file, since it does not begin with ISO-10303-21");
 }
 
 TEST(StepCheck, TakesACommentThatDoesNotEnd) {
