@@ -121,7 +121,7 @@ IgesDelimiters delimiters_in(const IgesSection& global) {
 
 // One parameter of an entity: a number, or a text, or nothing.
 struct IgesParameter {
-    enum class Kind { number, text, nothing, wrong };
+    enum class Kind { number, text, nothing, wrong, broken_number };
     Kind kind = Kind::nothing;
     double value = 0.0;
     std::size_t line = 0;  // of the file, where it begins
@@ -185,25 +185,57 @@ IgesParameter IgesParameters::parameter_of(std::string_view field, std::size_t b
     std::ranges::replace(digits, 'D', 'E');
     const auto number = core::leading_number(digits);
     if (!number || number->length != digits.size()) return parameter;
-    parameter.kind = IgesParameter::Kind::number;
+    const bool is_in_one_line = begin / parameter_width == (begin + field.size() - 1) / parameter_width;
+    parameter.kind = is_in_one_line ? IgesParameter::Kind::number : IgesParameter::Kind::broken_number;
     parameter.value = number->value;
     return parameter;
 }
 
-// Counts what a B-spline curve has by its first two numbers, K and M: K + M + 2 knots, K + 1 weights, 3(K + 1)
-// coordinates and two ends, behind the four flags of the shape.
-class SplineCount {
+constexpr std::size_t b_spline_curve = 126;
+
+// How many numbers of their own the entities have that are read as curves, beside splines.
+std::size_t numbers_needed(std::size_t type) {
+    constexpr std::size_t circular_arc = 100;
+    constexpr std::size_t conic_arc = 104;
+    constexpr std::size_t line = 110;
+    if (type == circular_arc) return 7;
+    if (type == conic_arc) return 11;
+    return type == line ? 6 : 0;
+}
+
+// Counts the numbers of an entity up to the first gap. A B-spline curve has by its first two, K and M: K + M + 2 knots,
+// K + 1 weights, 3(K + 1) coordinates and two ends, behind the four flags of the shape.
+class NumberCount {
   public:
+    explicit NumberCount(std::size_t type) : type_(type), first_number_(type == b_spline_curve ? 7 : 1) {}
+
     void take(const IgesParameter& parameter) {
         const bool is_number = parameter.kind == IgesParameter::Kind::number;
         if (index_ == 1) k_ = is_number ? count_of(parameter.value) : 0;
         if (index_ == 2) m_ = is_number ? count_of(parameter.value) : 0;
-        if (index_++ < first_number || has_gap_) return;
+        if (index_++ < first_number_ || has_gap_) return;
         has_gap_ = !is_number;
         if (is_number) ++numbers_;
     }
 
-    std::optional<std::string> defect() const {
+    std::optional<std::string> defect() const { return type_ == b_spline_curve ? defect_of_spline() : too_few(); }
+
+  private:
+    static std::size_t count_of(double value) {
+        constexpr double most = 1e8;
+        return value >= 1.0 && value <= most && std::trunc(value) == value ? static_cast<std::size_t>(value) : 0;
+    }
+
+    std::optional<std::string> too_few() const {
+        const std::size_t needed = numbers_needed(type_);
+        if (numbers_ >= needed) return std::nullopt;
+        return core::sentence(
+            "the entity {type} begins with {found} numbers, but it needs {needed}; the next one is missing, or left to "
+            "a default, which is not read",
+            {{"type", type_}, {"found", numbers_}, {"needed", needed}});
+    }
+
+    std::optional<std::string> defect_of_spline() const {
         if (k_ == 0 || m_ == 0) return "the B-spline curve does not begin with its numbers K and M";
         const std::size_t needed = k_ + m_ + 2 + 4 * (k_ + 1) + 2;
         if (numbers_ >= needed) return std::nullopt;
@@ -213,14 +245,8 @@ class SplineCount {
             {{"found", numbers_}, {"k", k_}, {"m", m_}, {"needed", needed}});
     }
 
-  private:
-    static constexpr std::size_t first_number = 7;
-
-    static std::size_t count_of(double value) {
-        constexpr double most = 1e8;
-        return value >= 1.0 && value <= most && std::trunc(value) == value ? static_cast<std::size_t>(value) : 0;
-    }
-
+    std::size_t type_;
+    std::size_t first_number_;
     std::size_t index_ = 0;
     std::size_t k_ = 0;
     std::size_t m_ = 0;
@@ -264,24 +290,26 @@ std::optional<core::FileError> wrong_parameters(const IgesSections& found, const
         text.append(lines.lines[i].substr(0, parameter_width));
     const std::size_t first_line = lines.first_line + entity.first;
     IgesParameters parameters(text, first_line, delimiters);
-    constexpr std::size_t b_spline_curve = 126;
-    SplineCount spline;
+    NumberCount numbers(entity.type);
     bool is_first = true;
     while (const auto parameter = parameters.next()) {
         if (parameter->kind == IgesParameter::Kind::wrong)
             return defect_in(parameter->line, core::sentence("found '{found}' where a finite number or a text must be",
                                                              {{"found", utf8_text(parameter->text.substr(0, 40))}}));
+        if (parameter->kind == IgesParameter::Kind::broken_number)
+            return defect_in(parameter->line,
+                             core::sentence("the number '{found}' goes on in the next line, which only texts may",
+                                            {{"found", utf8_text(parameter->text.substr(0, 40))}}));
         if (is_first && parameter->value != static_cast<double>(entity.type))
             return defect_in(first_line,
                              core::sentence("the parameters do not begin with {type}, as line {line} has it of them",
                                             {{"type", entity.type}, {"line", entity.directory_line}}));
         is_first = false;
-        spline.take(*parameter);
+        numbers.take(*parameter);
     }
     if (!parameters.has_ended())
         return defect_in(first_line, "the parameters of this entity have no end; a part is missing or damaged");
-    if (entity.type != b_spline_curve) return std::nullopt;
-    if (auto defect = spline.defect()) return defect_in(first_line, *std::move(defect));
+    if (auto defect = numbers.defect()) return defect_in(first_line, *std::move(defect));
     return std::nullopt;
 }
 

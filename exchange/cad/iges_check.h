@@ -11,8 +11,9 @@ namespace batten::exchange {
 
 /// The first defect, with its line; none where the file is whole. Looked at are the sections S, G, D, P and T in this
 /// order, whose lines are numbered from 1 on and counted in the line T; of every entity that its two lines in the
-/// directory and its parameters belong together and each parameter is a number or a text; and of a B-spline curve
-/// (entity 126) that it has as many knots, weights and coordinates as its first two numbers say. Cost O(n).
+/// directory and its parameters belong together and each parameter is a number or a text; of a B-spline curve (entity
+/// 126) that it has as many knots, weights and coordinates as its first two numbers say; and of arcs, conics and lines
+/// (100, 104, 110) that all of their numbers are there. Cost O(n).
 std::optional<core::FileError> iges_defect(std::string_view text);
 
 /// The numbers, from 0 on in the order of the directory, of the entities whose parameters are missing or damaged; none

@@ -97,6 +97,17 @@ TEST(IgesCheck, NamesTheLineOfAParameterThatIsNoNumber) {
               "line 4: found '1E999' where a finite number or a text must be");
 }
 
+// OpenCASCADE reads the part before the end of the line as the number.
+TEST(IgesCheck, RefusesNumbersThatGoOnInTheNextLine) {
+    const auto moved = [](std::size_t blanks) {
+        return defect_of(line_file(with(whole_line, "2.5", std::string(blanks, ' ') + "2.5")));
+    };
+    EXPECT_EQ(moved(18), "") << "it ends in column 64";
+    EXPECT_EQ(moved(19), "line 4: the number '2.5' goes on in the next line, which only texts may");
+    EXPECT_EQ(moved(21), "") << "it begins the next line";
+    EXPECT_EQ(defect_of(line_file(with(whole_line, ";", ",5Habcde;"))), "") << "a text";
+}
+
 // With K = M = 1 there are 4 knots, 2 weights, 6 coordinates and 2 ends.
 TEST(IgesCheck, CountsTheNumbersOfSplines) {
     const std::string told =
@@ -110,6 +121,22 @@ TEST(IgesCheck, CountsTheNumbersOfSplines) {
     EXPECT_NE(defect_of(line_file(with(whole_line, "126,1", "126,99999999999"))), "");
     EXPECT_EQ(defect_of(line_file(with(whole_line, ";", ""))),
               "line 4: the parameters of this entity have no end; a part is missing or damaged");
+}
+
+// What is left to a default OpenCASCADE takes for 0.
+TEST(IgesCheck, CountsTheNumbersOfArcsConicsAndLines) {
+    const auto defect = [](const std::string& type, const std::string& numbers) {
+        return defect_of(
+            with(with(line_file(type + "," + numbers + ";"), "     126", "     " + type), "     126", "     " + type));
+    };
+    EXPECT_EQ(defect("110", "0.,0.,0.,1.,2.,3."), "");
+    EXPECT_EQ(defect("110", "0.,0.,0.,1.,2."),
+              "line 4: the entity 110 begins with 5 numbers, but it needs 6; the next one is missing, or left to a "
+              "default, which is not read");
+    EXPECT_EQ(defect("100", "0.,0.,0.,1.,0.,0.,1."), "");
+    EXPECT_NE(defect("100", "0.,,0.,1.,0.,0.,1."), "");
+    EXPECT_EQ(defect("104", "1.,0.,0.,0.,-4.,0.,0.,-2.,1.,2.,1."), "");
+    EXPECT_NE(defect("104", "1.,0.,0.,0.,-4.,0.,0.,-2.,1.,2."), "");
 }
 
 TEST(IgesCheck, FindsADirectoryThatLies) {
