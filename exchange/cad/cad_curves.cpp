@@ -66,9 +66,26 @@ Scaled in_units(const core::Curve& curve, double world) {
     return {core::Curve::make(std::move(definition)), error};
 }
 
+// Weights that draw the same, since all are multiplied by one power of two: programs that read IGES through OpenCASCADE
+// refuse those below 1e-9, and take such as differ by less than 1e-10 for equal.
+core::Result<core::Curve> with_larger_weights(const core::Curve& curve) {
+    constexpr int least_weight = -29;  // as exponents of two
+    constexpr int least_difference = -33;
+    constexpr int largest_weight = 1000;
+    const std::span<const double> weights = curve.weights();
+    const auto [least, largest] = std::ranges::minmax(weights);
+    int steps = std::max(0, least_weight - std::ilogb(least));
+    for (const double weight : weights)
+        if (weight != weights.front()) steps = std::max(steps, least_difference - std::ilogb(weight - weights.front()));
+    if (!curve.is_rational() || steps == 0 || std::ilogb(largest) + steps > largest_weight) return curve;
+    core::CurveDefinition definition = curve.definition();
+    for (double& weight : definition.weights) weight = std::ldexp(weight, steps);
+    return core::Curve::make(std::move(definition));
+}
+
 class CadWriter {
   public:
-    explicit CadWriter(const core::Document& document) { set_unit(result_, document); }
+    CadWriter(const core::Document& document, CadWeights weights) : weights_(weights) { set_unit(result_, document); }
 
     void add(const core::DocumentCurve& entry) {
         const core::Curve& curve = *entry.curve;
@@ -85,8 +102,10 @@ class CadWriter {
         if (is_short) result_.notes.add(over_unit_interval, name);
         const bool is_other = !was_clamped || is_short;
         Scaled scaled = in_units(*placed, result_.world);
+        if (weights_ == CadWeights::larger) scaled.curve = scaled.curve.and_then(with_larger_weights);
         if (!scaled.curve) return result_.notes.add(not_clampable, name);
-        const double error = scaled.error + (is_other ? core::largest_deviation(*placed, curve) : 0.0);
+        const double error =
+            scaled.error + (is_other ? core::largest_deviation(*placed, curve) + unrolling_error(curve) : 0.0);
         result_.curves.push_back({entry.name, *std::move(scaled.curve), error});
     }
 
@@ -98,15 +117,16 @@ class CadWriter {
     CadCurves& result() { return result_; }
 
   private:
+    CadWeights weights_;
     CadCurves result_;
 };
 
 }  // namespace
 
-core::FileResult<CadCurves> cad_curves(const core::Document& document) {
+core::FileResult<CadCurves> cad_curves(const core::Document& document, CadWeights weights) {
     const auto entries = visible_curves(document);
     if (!entries) return tl::unexpected(entries.error());
-    CadWriter writer(document);
+    CadWriter writer(document, weights);
     note_losses(writer.result().notes, document, {.units = true});
     for (const core::DocumentCurve* entry : *entries) writer.add(*entry);
     return writer.take();

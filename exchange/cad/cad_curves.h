@@ -20,9 +20,15 @@ struct CadCurves {
     Notes notes{};
 };
 
+/// What becomes of small weights, and of those that differ little.
+enum class CadWeights {
+    kept,   ///< nothing
+    larger  ///< all weights of such a curve are multiplied by a power of two
+};
+
 /// The visible curves of `document`, which need not be clamped or in such a unit: what becomes of them is noted. Error:
 /// there is none, or none that does not come apart.
-[[nodiscard]] core::FileResult<CadCurves> cad_curves(const core::Document& document);
+[[nodiscard]] core::FileResult<CadCurves> cad_curves(const core::Document& document, CadWeights weights);
 
 /// How far `copy` is from `written`, at most, where both are as a file has them, in the document's coordinates.
 double copy_error(const CadCurves& curves, const CadCurve& written, const core::Curve& copy);

@@ -17,21 +17,24 @@ namespace batten::exchange {
 namespace {
 
 constexpr core::PluralPattern not_held{
-    "'{place}' was left out: read from such a file, its numbers make no curve",
-    "{count} curves were left out: read from such a file, their numbers make no curves; the first one is '{place}'"};
+    "'{place}' was left out, since it does not come back from such a file",
+    "{count} curves were left out, since they do not come back from such a file; the first one is '{place}'"};
+constexpr core::PluralPattern not_readable{
+    "'{place}' was left out, since the file with it cannot be read: {reason}",
+    "{count} curves were left out, since files with them cannot be read: {reason}; the first one is '{place}'"};
 constexpr core::PluralPattern not_tried{
-    "'{place}' was left out, since too many others make no curves in such a file",
-    "{count} curves were left out, since too many others make no curves in such a file; the first one is '{place}'"};
+    "'{place}' was left out, since too many others do not come back from such a file",
+    "{count} curves were left out, since too many others do not come back from such a file; the first one is "
+    "'{place}'"};
 constexpr core::PluralPattern read_otherwise{
-    "'{place}' is read from the file otherwise than it was written: OpenCASCADE takes ends nearer than 1e-7, and "
-    "weights that differ in the last digit, for equal",
-    "{count} curves are read from the file otherwise than they were written, the first one '{place}': OpenCASCADE "
-    "takes "
-    "ends nearer than 1e-7, and weights that differ in the last digit, for equal"};
+    "'{place}' is read from the file otherwise than it was written, by at most the error that is told",
+    "{count} curves are read from the file otherwise than they were written, the first one '{place}', by at most the "
+    "error that is told"};
 
 struct CadFormat {
     const char* name;
     Reader read;
+    CadWeights weights;
     std::vector<std::size_t> (*damaged_curves)(std::string_view text);  // of those that a file was written of, if known
 };
 
@@ -50,13 +53,17 @@ core::Document cad_document(core::LengthUnit unit, std::span<const CadCurve> cur
 struct WrittenAndRead {
     Exported written{};
     std::vector<core::DocumentCurve> copies{};  // none where the file cannot be read
+    std::string refusal{};                      // why it cannot
 };
 
 core::FileResult<WrittenAndRead> written_and_read(const CadFormat& format, const core::Document& document) {
     return write_through_occt(format.name, document).map([&](Exported written) {
         auto copy = format.read(written.text);
         WrittenAndRead result{std::move(written)};
-        if (copy) result.copies = std::move(copy->document.curves);
+        if (copy)
+            result.copies = std::move(copy->document.curves);
+        else
+            result.refusal = copy.error().what;
         return result;
     });
 }
@@ -79,20 +86,21 @@ class LostCurves {
     struct Try {
         std::vector<bool> is_there;
         std::vector<std::size_t> damaged{};  // those at fault where the file cannot be read, if they are known
+        std::string refusal{};
     };
 
     void sort(std::span<const CadCurve> part) {
-        if (tries_ == 0) return leave_out(part, not_tried);
+        if (tries_ == 0) return leave_out(part, not_tried, {});
         --tries_;
         const Try tried = try_file(part);
         const bool is_nothing_there = std::ranges::none_of(tried.is_there, std::identity());
         if (part.size() > 1 && is_nothing_there)
-            return tried.damaged.empty() ? sort_halves(part) : sort_others(part, tried.damaged);
+            return tried.damaged.empty() ? sort_halves(part) : sort_others(part, tried);
         for (std::size_t i = 0; i < part.size(); ++i)
             if (tried.is_there[i])
                 curves_.curves.push_back(part[i]);
             else
-                leave_out(part.subspan(i, 1), not_held);
+                leave_out_alone(part[i], tried);
     }
 
     void sort_halves(std::span<const CadCurve> part) {
@@ -101,18 +109,24 @@ class LostCurves {
         sort(part.subspan(half));
     }
 
-    void sort_others(std::span<const CadCurve> part, std::span<const std::size_t> damaged) {
+    void sort_others(std::span<const CadCurve> part, const Try& tried) {
         std::vector<CadCurve> others;
         for (std::size_t i = 0; i < part.size(); ++i)
-            if (std::ranges::binary_search(damaged, i))
-                leave_out(part.subspan(i, 1), not_held);
+            if (std::ranges::binary_search(tried.damaged, i))
+                leave_out_alone(part[i], tried);
             else
                 others.push_back(part[i]);
         if (!others.empty()) sort(others);
     }
 
-    void leave_out(std::span<const CadCurve> part, const core::PluralPattern& why) {
-        for (const CadCurve& curve : part) curves_.notes.add(why, [&] { return curve.name; });
+    void leave_out_alone(const CadCurve& curve, const Try& tried) {
+        leave_out({&curve, 1}, tried.refusal.empty() ? not_held : not_readable, tried.refusal);
+    }
+
+    void leave_out(std::span<const CadCurve> part, const core::PluralPattern& why, std::string_view reason) {
+        for (const CadCurve& curve : part)
+            curves_.notes.add(
+                why, [&] { return curve.name; }, {}, reason);
     }
 
     // In the file they are named by their numbers.
@@ -121,13 +135,17 @@ class LostCurves {
         core::Document document = cad_document(curves_.unit, part);
         for (std::size_t i = 0; i < part.size(); ++i) document.curves[i].name = std::to_string(i);
         const auto result = written_and_read(format_, document);
-        if (!result) return tried;
+        if (!result) {
+            tried.refusal = result.error().what;
+            return tried;
+        }
         for (const core::DocumentCurve& copy : result->copies) {
             std::size_t i = part.size();
             std::from_chars(copy.name.data(), copy.name.data() + copy.name.size(), i);
             if (i < part.size()) tried.is_there[i] = true;
         }
         if (result->copies.empty()) tried.damaged = format_.damaged_curves(result->written.text);
+        tried.refusal = result->refusal;
         return tried;
     }
 
@@ -152,7 +170,7 @@ Exported with_report(CadCurves& curves, WrittenAndRead result) {
 }
 
 core::FileResult<Exported> write_cad(const CadFormat& format, const core::Document& document) {
-    auto curves = cad_curves(document);
+    auto curves = cad_curves(document, format.weights);
     if (!curves) return tl::unexpected(curves.error());
     const auto written = [&] { return written_and_read(format, cad_document(curves->unit, curves->curves)); };
     auto result = written();
@@ -180,11 +198,12 @@ core::FileResult<Imported> read_step(std::string_view text) {
 }
 
 core::FileResult<Exported> write_iges(const core::Document& document, const WriteOptions& /*options*/) {
-    return write_cad({"iges", read_iges, damaged_iges_entities}, document);
+    return write_cad({"iges", read_iges, CadWeights::larger, damaged_iges_entities}, document);
 }
 
 core::FileResult<Exported> write_step(const core::Document& document, const WriteOptions& /*options*/) {
-    return write_cad({"step", read_step, [](std::string_view) { return std::vector<std::size_t>(); }}, document);
+    return write_cad({"step", read_step, CadWeights::kept, [](std::string_view) { return std::vector<std::size_t>(); }},
+                     document);
 }
 
 }  // namespace batten::exchange
