@@ -9,6 +9,7 @@
 #include "exchange/places.h"
 #include "exchange/refusal.h"
 #include "exchange/utf8_text.h"
+#include "exchange/written_curves.h"
 
 namespace batten::exchange {
 
@@ -169,8 +170,9 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     curve->locked = look.locked;
     look.tell_losses(found_.looks());
     if (entity.is_off_plane()) found_.note_heights(entity.name(), place);
-    if (has_fit_points_alone(entity) && entity.name() == "SPLINE")
-        found_.notes().add(has_end_tangents(entity) ? interpolated_with_tangents : interpolated, place, entity.name());
+    if (entity.name() != "SPLINE") return;
+    if (!has_fit_points_alone(entity)) return found_.note_error(unrolling_error(*curve->curve));
+    found_.notes().add(has_end_tangents(entity) ? interpolated_with_tangents : interpolated, place, entity.name());
 }
 
 }  // namespace

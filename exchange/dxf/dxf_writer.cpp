@@ -176,13 +176,17 @@ core::FileResult<Exported> write_dxf(const core::Document& document, const Write
     groups.add_all(between_layers_and_entities);
     for (const core::DocumentCurve* entry : *entries) add_spline(groups, *entry);
     groups.add_all(after_entities);
+    double largest_error = 0.0;
+    for (const core::DocumentCurve* entry : *entries)
+        largest_error = std::max(largest_error, unrolling_error(*entry->curve));
     Notes notes;
     note_losses(notes, document, {.colors = true, .units = true, .periodic = true});
     for (const core::DocumentCurve* entry : *entries)
         if (layer_name(entry->name) != entry->name) notes.add(renamed, [entry] { return entry->name; });
     if (document.units && !code_of_units(*document.units))
         notes.add("the unit of length was left out, since DXF has none of that size; the numbers stay as they are");
-    return Exported{header(document, groups.next_handle()) + groups.text(), {.left_out = notes.sentences()}};
+    return Exported{header(document, groups.next_handle()) + groups.text(),
+                    {.largest_error = largest_error, .left_out = notes.sentences()}};
 }
 
 }  // namespace batten::exchange

@@ -77,6 +77,7 @@ class Members {
 struct Written {
     std::vector<std::string> curves{};
     double largest_error = 0.0;
+    double error = 0.0;  // of the curve that is written
     Notes notes{};
 
     std::string list() const { return fmt::format("[{}]", fmt::join(curves, ", ")); }
@@ -121,7 +122,7 @@ std::string tinyspline_curve(const DocumentCurve& entry, Written& written) {
         written.notes.add(too_large, [&] { return entry.name; });
         return {};
     }
-    written.largest_error = std::max(written.largest_error, error);
+    written.error += error;
     Members members;
     members.add("name", quoted(entry.name));
     members.add("degree", static_cast<std::size_t>(curve.degree));
@@ -188,8 +189,13 @@ core::FileResult<Written> written(const core::Document& document, WriteCurve wri
     if (!entries) return tl::unexpected(entries.error());
     Written result;
     note_losses(result.notes, document, {.periodic = has_periods});
-    for (const DocumentCurve* entry : *entries)
-        if (std::string text = write(*entry, result); !text.empty()) result.curves.push_back(std::move(text));
+    for (const DocumentCurve* entry : *entries) {
+        result.error = has_periods ? 0.0 : unrolling_error(*entry->curve);
+        std::string text = write(*entry, result);
+        if (text.empty()) continue;
+        result.curves.push_back(std::move(text));
+        result.largest_error = std::max(result.largest_error, result.error);
+    }
     if (result.curves.empty()) return refused_file(result.notes.sentences().back());
     return result;
 }

@@ -5,12 +5,12 @@
 
 namespace batten::exchange {
 
-/// The visible curves, exactly; periodic ones with wrapped control points.
+/// The visible curves, exactly; periodic ones with wrapped control points, off by what their wrapped knots are rounded.
 [[nodiscard]] core::FileResult<Exported> write_nurbs_python(const core::Document& document,
                                                             const WriteOptions& options);
 
 /// Likewise, one curve as an object and several as a list, which the library itself does not read. Rational curves have
-/// homogeneous points and say so; the error is what multiplying by the weights rounds.
+/// homogeneous points and say so; the error is also what multiplying by the weights rounds.
 [[nodiscard]] core::FileResult<Exported> write_tinyspline(const core::Document& document, const WriteOptions& options);
 
 /// Likewise without the first and the last knot, on which no point of a curve depends.

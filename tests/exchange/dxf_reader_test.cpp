@@ -185,6 +185,23 @@ TEST(DxfReader, BelievesDataAndNotFlagsAndCounts) {
     expect_near(at_share(rational, 0.5), {1, 1.5});
 }
 
+TEST(DxfReader, BoundsWhatKnotsOutsideAPeriodAreRounded) {
+    const std::string points = " 10 0 20 0 10 6 20 0 10 0 20 6 10 0 20 0 10 6 20 0";
+    const std::string whole = " 40 -2 40 -1 40 0 40 1 40 2 40 3 40 4 40 5";
+    const std::string decimal =
+        " 40 -0.19999999999999998 40 -0.09999999999999998 40 0 40 0.1 40 0.2 40 0.3 40 0.4 40 0.5";
+    const Imported exact = read("0 SPLINE 70 3 71 2" + whole + points);
+    EXPECT_TRUE(exact.document.curves.at(0).curve->is_periodic());
+    EXPECT_EQ(exact.report.largest_error, 0.0);
+    // 0.1 + 0.3 is rounded by 2^-55: half a leg of length 6 is off by 6 * 2.5 times that.
+    const Imported rounded = read("0 SPLINE 70 3 71 2" + decimal + points);
+    EXPECT_TRUE(rounded.document.curves.at(0).curve->is_periodic());
+    EXPECT_GE(rounded.report.largest_error, 15 * 0x1p-55);
+    EXPECT_LE(rounded.report.largest_error, 5 * 15 * 0x1p-55);
+    const Imported fitted = read("0 SPLINE 70 1 71 3 11 0 21 0 11 3 21 4 11 0 21 6 11 -3 21 4");
+    EXPECT_EQ(fitted.report.largest_error, 0.0) << "whose knots are not those of the file";
+}
+
 TEST(DxfReader, RefusesWrongCountsOfKnotsAndWeights) {
     EXPECT_EQ(refusal_of(drawing("0 SPLINE 71 2 40 0 40 0 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0")),
               "SPLINE at line 6 was left out: the number of knots is 4; for 3 control points of degree 2 it must be 6, "

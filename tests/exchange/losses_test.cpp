@@ -104,6 +104,32 @@ TEST(Losses, AreCountedForManyCurves) {
     EXPECT_EQ(told[1], "one curve was left out, since it is hidden");
 }
 
+TEST(Losses, WhatKnotsOutsideThePeriodAreRoundedIsBounded) {
+    const auto error_by = [](Format format, const core::Document& document) {
+        return spec_of(format).write(document, {}).value().report.largest_error;
+    };
+    const auto periodic = [](std::vector<double> knots) {
+        return document_of(
+            core::Curve::make(
+                {.degree = 2, .knots = std::move(knots), .points = {{0, 0}, {6, 0}, {0, 6}}, .periodic = true})
+                .value());
+    };
+    // The knot after the end is no double. The end is the middle of a leg of length 6, and a corner where that knot is
+    // rounded to the end: an open curve whose ends are 3 apart.
+    const double h = 0x1p53;
+    const core::Document rounded_to_seam = periodic({h - 4, h - 3, h - 1, h});
+    // The knot 0.4 is rounded by 2^-55, which moves the end of the leg by 6 * 2.5 * 2^-55.
+    const core::Document decimal = periodic({0, 0.1, 0.2, 0.3});
+    for (const Format format : {Format::dxf, Format::nurbs_python, Format::tinyspline, Format::rhino}) {
+        EXPECT_GE(error_by(format, rounded_to_seam), 3.0);
+        EXPECT_LE(error_by(format, rounded_to_seam), 12.0);
+        EXPECT_GE(error_by(format, decimal), 15 * 0x1p-55);
+        EXPECT_LE(error_by(format, decimal), 5 * 15 * 0x1p-55);
+        EXPECT_EQ(error_by(format, periodic({-4, -3, -1, 0})), 0.0);
+    }
+    EXPECT_EQ(error_by(Format::opencascade, rounded_to_seam), 0.0) << "which has periods";
+}
+
 TEST(Losses, TablesHoldSamples) {
     const auto table = spec_of(Format::csv).write(rich_document(), {});
     ASSERT_TRUE(table);
