@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
+#include "core/document/detail/cell_number.h"
 #include "core/document/detail/table_cells.h"
 
 namespace batten::core {
@@ -23,10 +26,9 @@ FileError error_at(std::size_t line, std::size_t column, std::string what) {
     return {sentence("line {line}, column {column}", {{"line", line}, {"column", column}}), std::move(what)};
 }
 
-bool begins_with_letter(std::string_view line) {
-    const char c = line[line.find_first_not_of(" \t")];
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '"' || c == '_' ||
-           static_cast<unsigned char>(c) >= 0x80;
+// Whether it does not begin as numbers do.
+bool is_name(std::string_view cell) {
+    return !cell.empty() && std::string_view("0123456789+-.,").find(cell.front()) == std::string_view::npos;
 }
 
 // Goes through the lines of a table whose dialect is known.
@@ -43,37 +45,33 @@ class PointReader {
         if (first == lines_.size()) return tl::unexpected(no_numbers());
         if (auto chosen = choose_columns(first); !chosen) return tl::unexpected(chosen.error());
         table_.points.reserve(lines_.size() - first);
-        const std::size_t parameter = column_named('u');
+        parameter_column_ = column_named("u");
         for (std::size_t i = first; i < lines_.size(); ++i) {
-            auto point = point_of(lines_[i]);
-            if (!point) return tl::unexpected(point.error());
-            if (!is_other_side(*point, parameter)) table_.points.push_back(*point);
+            split(lines_[i].text, dialect_.separator, cells_);
+            if (auto taken = take_row(lines_[i]); !taken) return tl::unexpected(taken.error());
         }
         join_sides();
         return std::move(table_);
     }
 
   private:
-    std::size_t count_numbers(std::string_view line) {
-        split(line, dialect_.separator, cells_);
-        return static_cast<std::size_t>(std::count_if(cells_.begin(), cells_.end(), [&](std::string_view cell) {
-            return number_in(cell, dialect_.has_decimal_commas).has_value();
-        }));
-    }
-
     std::size_t cell_count(std::size_t line) {
         split(lines_[line].text, dialect_.separator, cells_);
         return cells_.size();
     }
 
-    // Whether line `i`, with none but headings above, is one: it lacks two numbers, or it begins with a word and has
-    // other cells than the line below, like NACA 23 012.
+    // Whether line `i`, with none but headings above, is one.
     bool is_heading(std::size_t i) {
-        const std::string_view line = lines_[i].text;
-        const std::size_t numbers = count_numbers(line);
-        if (numbers >= 2)
-            return i + 1 < lines_.size() && begins_with_letter(line) && cells_.size() != cell_count(i + 1);
-        return numbers == 0 || begins_with_letter(line);
+        split(lines_[i].text, dialect_.separator, cells_);
+        const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells_, is_meant_as_number));
+        if (numbers == 0) return cells_.size() == 1 || std::ranges::any_of(cells_, is_name);
+        return i == 0 && dialect_.separator == TableSeparator::blank && is_title_with_numbers(numbers);
+    }
+
+    // NACA 2412, or NACA 23 012, which has other cells than the line below.
+    bool is_title_with_numbers(std::size_t numbers) {
+        if (!is_name(cells_.front()) || std::ranges::any_of(cells_, means_no_number)) return false;
+        return numbers < 2 || (lines_.size() > 1 && cells_.size() != cell_count(1));
     }
 
     std::size_t skip_headings() {
@@ -81,16 +79,28 @@ class PointReader {
         while (first < lines_.size() && is_heading(first)) ++first;
         if (first == lines_.size()) return first;
         table_.column_count = cell_count(first);
+        const bool may_split_thousands =
+            dialect_.separator == TableSeparator::comma || dialect_.separator == TableSeparator::blank;
+        if (may_split_thousands && are_numbers() && !has_empty_end(lines_[first])) row_width_ = table_.column_count;
         for (std::size_t i = 0; i < first; ++i) take_heading(lines_[i].text);
         return first;
     }
 
+    // What stands below the names x and y, like units, is let go.
     void take_heading(std::string_view line) {
+        if (named_columns()) return;
         split(line, dialect_.separator, cells_);
-        if (cells_.size() == table_.column_count && !is_title())
+        if (names_x_and_y() || (cells_.size() == table_.column_count && !is_title()))
             table_.headings.assign(cells_.begin(), cells_.end());
         else if (table_.title.empty())
             table_.title = line.substr(line.find_first_not_of(" \t"));
+        const bool are_counted = dialect_.separator == TableSeparator::comma || (!asked_ && named_columns());
+        heading_count_ = are_counted && cells_.size() >= 2 ? cells_.size() : 0;
+    }
+
+    bool names_x_and_y() const {
+        return std::ranges::find(cells_, "x", in_small_letters) != cells_.end() &&
+               std::ranges::find(cells_, "y", in_small_letters) != cells_.end();
     }
 
     // Blanks stand within the name of an airfoil, CLARK Y, as between the names of columns, x y: the name has capitals
@@ -107,17 +117,14 @@ class PointReader {
         return {"", "no line with two numbers was found; a table of points has x and y in two of its columns"};
     }
 
-    // The column whose heading is this letter, small or capital, from 1; 0 where there is none.
-    std::size_t column_named(char letter) const {
-        const auto is_name = [letter](const std::string& heading) {
-            return heading.size() == 1 && (heading[0] | 0x20) == letter;
-        };
-        const auto found = std::find_if(table_.headings.begin(), table_.headings.end(), is_name);
+    // The column whose heading is `name`, in small letters or capital ones, from 1; 0 where there is none.
+    std::size_t column_named(std::string_view name) const {
+        const auto found = std::ranges::find(table_.headings, name, in_small_letters);
         return found == table_.headings.end() ? 0 : static_cast<std::size_t>(found - table_.headings.begin()) + 1;
     }
 
     std::optional<TableColumns> named_columns() const {
-        const TableColumns named{column_named('x'), column_named('y')};
+        const TableColumns named{column_named("x"), column_named("y")};
         return named.x != 0 && named.y != 0 ? std::optional(named) : std::nullopt;
     }
 
@@ -133,7 +140,7 @@ class PointReader {
         split(lines_[first].text, dialect_.separator, cells_);
         std::vector<std::size_t> found;
         for (std::size_t c = 0; c < cells_.size(); ++c)
-            if (number_in(cells_[c], dialect_.has_decimal_commas)) found.push_back(c + 1);
+            if (is_meant_as_number(cells_[c])) found.push_back(c + 1);
         if (found.size() >= 2)
             table_.columns = {found[0], found[1]};
         else if (cells_.size() < 2)
@@ -142,24 +149,49 @@ class PointReader {
         return {};
     }
 
-    FileResult<Point> point_of(const TableLine& line) {
-        split(line.text, dialect_.separator, cells_);
+    // A row is what cells_ has of it.
+    FileResult<void> take_row(const TableLine& line) {
+        const std::optional<double> last = std::exchange(parameter_, parameter_of_row());
         const FileResult<double> x = number_at(line, table_.columns.x);
         if (!x) return tl::unexpected(x.error());
-        return number_at(line, table_.columns.y).map([&](double y) { return Point(*x, y); });
+        const FileResult<double> y = number_at(line, table_.columns.y);
+        if (!y) return tl::unexpected(y.error());
+        if (auto error = error_of_width(line)) return tl::unexpected(*std::move(error));
+        if (const Point point(*x, *y); !is_other_side(point, last)) table_.points.push_back(point);
+        return {};
     }
 
-    // Whether this row, whose cells were read last, has the place of the row before it, as tables of samples have both
-    // sides of a knot at which a derivative jumps.
-    bool is_other_side(Point point, std::size_t parameter) {
-        if (parameter == 0 || parameter > cells_.size()) return false;
-        const auto u = number_in(cells_[parameter - 1], dialect_.has_decimal_commas);
+    std::optional<double> parameter_of_row() const {
+        if (parameter_column_ == 0 || parameter_column_ > cells_.size()) return std::nullopt;
+        return number_in(cells_[parameter_column_ - 1], dialect_.has_decimal_commas);
+    }
+
+    // Commas and blanks that separate thousands make more cells of a row than there are headings, or than other rows
+    // have.
+    std::optional<FileError> error_of_width(const TableLine& line) const {
+        const std::size_t count = cells_.size();
+        const std::size_t expected = heading_count_ > 0 ? heading_count_ : row_width_;
+        const bool is_too_short = heading_count_ == 0 && count < expected && !has_empty_end(line);
+        if (expected == 0 || (count <= expected && !is_too_short) || !are_numbers()) return std::nullopt;
+        const char* pattern = heading_count_ > 0 ? "the line has {columns} columns, and there are {expected} headings"
+                                                 : "the line has {columns} columns, and the first one has {expected}";
+        return error_at(line.number, std::min(count, expected) + 1,
+                        sentence(pattern, {{"columns", count}, {"expected", expected}}));
+    }
+
+    bool are_numbers() const {
+        return std::ranges::all_of(
+            cells_, [&](std::string_view cell) { return number_in(cell, dialect_.has_decimal_commas).has_value(); });
+    }
+
+    static bool has_empty_end(const TableLine& line) { return trimmed(line.text).ends_with(','); }
+
+    // Whether this row has the place of the row before it, as tables of samples have both sides of a knot at which a
+    // derivative jumps.
+    bool is_other_side(Point point, std::optional<double> last_parameter) const {
         constexpr double rounding = 1e-12;  // of each side by itself
-        const bool is_same =
-            u && u == last_parameter_ && !table_.points.empty() &&
-            distance(table_.points.back(), point) <= rounding * (std::abs(point.x) + std::abs(point.y));
-        last_parameter_ = u;
-        return is_same;
+        return parameter_ && parameter_ == last_parameter && !table_.points.empty() &&
+               distance(table_.points.back(), point) <= rounding * (std::abs(point.x) + std::abs(point.y));
     }
 
     FileResult<double> number_at(const TableLine& line, std::size_t column) const {
@@ -170,10 +202,17 @@ class PointReader {
         const std::string_view cell = cells_[column - 1];
         if (const auto number = number_in(cell, dialect_.has_decimal_commas)) return *number;
         if (cell.empty()) return tl::unexpected(error_at(line.number, column, "the cell is empty; a number is needed"));
-        const char* pattern = dialect_.has_decimal_commas
-                                  ? "'{found}' is not a finite number; this table has decimal commas"
-                                  : "'{found}' is not a finite number; this table has decimal points";
-        return tl::unexpected(error_at(line.number, column, sentence(pattern, {{"found", quoted(cell)}})));
+        return tl::unexpected(
+            error_at(line.number, column, sentence(pattern_of_wrong(cell), {{"found", quoted(cell)}})));
+    }
+
+    const char* pattern_of_wrong(std::string_view cell) const {
+        if (has_thousands(cell)) return "'{found}' has thousands separators, which are not read";
+        if (dialect_.has_decimal_commas) return "'{found}' is not a finite number; this table has decimal commas";
+        if (may_have_thousands(cell) && dialect_.separator != TableSeparator::semicolon)
+            return "'{found}' may have a decimal comma or separate thousands by it; semicolons between the columns "
+                   "tell that commas are decimal";
+        return "'{found}' is not a finite number; this table has decimal points";
     }
 
     // Lednicer's form begins with the numbers of points above and below.
@@ -196,8 +235,11 @@ class PointReader {
     TableDialect dialect_;
     std::optional<TableColumns> asked_;
     PointTable table_;
+    std::size_t heading_count_ = 0;  // in the last line above the numbers; 0 where there are none
+    std::size_t row_width_ = 0;      // of the first line, of numbers between commas or blanks; 0 for others
+    std::size_t parameter_column_ = 0;
     std::vector<std::string_view> cells_;
-    std::optional<double> last_parameter_{};
+    std::optional<double> parameter_{};  // of this row
 };
 
 }  // namespace

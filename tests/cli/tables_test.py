@@ -83,7 +83,8 @@ class Tables(unittest.TestCase):
     def test_what_is_wrong_is_told_with_file_and_line(self):
         cases = (("0,0\n1,x\n", "line 2, column 2: 'x' is not a finite number; this table has decimal points"),
                  ("0,0\n1\n", "line 2, column 2: the line has one column"),
-                 ("0,0\nnan,1\n", "line 2, column 1: 'nan' is not a finite number"), ("0,0\n1e999,0", "line 2, column 1: '1e999' is not a finite number"),
+                 ("0,0\nnan,1\n", "line 2, column 1: 'nan' is not a finite number"), ("nan,nan\n0,0\n", "line 1, column 1: 'nan' is not a finite number"),
+                 ("x\ty\n1,234,567\t2\n", "line 2, column 1: '1,234,567' has thousands separators, which are not read"), ("0,0\n1e999,0", "line 2, column 1: '1e999' is not a finite number"),
                  ("x,y\nlatitude,longitude\n", "no line with two numbers was found"), ("0,0\n1.2.3,4", "line 2, column 1: '1.2.3' is not"))
         for text, sentence in cases:
             with self.subTest(text):

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/base/ascii.h"
-#include "core/base/number_text.h"
+#include "core/document/detail/cell_number.h"
 
 namespace batten::core {
 
@@ -48,18 +49,38 @@ struct SignRow {
 constexpr std::array sign_rows{SignRow{"\xEF\xBB\xBF", ""}, SignRow{"\xE2\x88\x92", "-"}, SignRow{"\xC2\xA0", " "},
                                SignRow{"\xE2\x80\xAF", " "}, SignRow{"\xE2\x80\x89", " "}};
 
+std::string_view without_comment(std::string_view line) {
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"') is_quoted = !is_quoted;
+        if (line[i] == '#' && !is_quoted && !begins_error_sign(line, i)) return line.substr(0, i);
+    }
+    return line;
+}
+
+// What means a number in this dialect, be it one that is not read.
+bool counts_as_number(std::string_view cell, TableDialect dialect) {
+    if (number_in(cell, dialect.has_decimal_commas) || means_no_number(cell) || has_thousands(cell)) return true;
+    return dialect.separator != TableSeparator::semicolon && !dialect.has_decimal_commas && may_have_thousands(cell);
+}
+
+bool proves_decimal_commas(std::string_view cell) {
+    return cell.find(',') != std::string_view::npos && number_in(cell, true) && !may_have_thousands(cell);
+}
+
 // Lines of numbers throughout count most.
 std::size_t score_of(const std::vector<TableLine>& lines, TableDialect dialect) {
     std::vector<std::string_view> cells;
     std::size_t score = 0;
+    bool is_proven = !dialect.has_decimal_commas || dialect.separator == TableSeparator::semicolon;
     for (const TableLine& line : lines) {
         split(line.text, dialect.separator, cells);
-        const auto numbers = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](auto cell) {
-            return number_in(cell, dialect.has_decimal_commas).has_value();
-        }));
+        const auto numbers = static_cast<std::size_t>(
+            std::ranges::count_if(cells, [&](std::string_view cell) { return counts_as_number(cell, dialect); }));
         if (numbers >= 2) score += std::size_t{numbers == cells.size() ? 2U : 1U};
+        is_proven = is_proven || std::ranges::any_of(cells, proves_decimal_commas);
     }
-    return score;
+    return is_proven ? score : 0;
 }
 
 bool occurs(const std::vector<TableLine>& lines, char sign) {
@@ -88,7 +109,7 @@ std::vector<TableLine> lines_of(std::string_view text) {
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
         const std::string_view line = text.substr(0, end);
-        lines.push_back({line.substr(0, line.find('#')), number});
+        lines.push_back({without_comment(line), number});
         const std::size_t length_of_end = text.substr(end).starts_with("\r\n") ? 2 : 1;
         text.remove_prefix(std::min(end + length_of_end, text.size()));
     }
@@ -112,19 +133,6 @@ void split(std::string_view line, TableSeparator separator, std::vector<std::str
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
 }
 
-std::optional<double> number_in(std::string_view cell, bool has_decimal_commas) {
-    std::string with_point;
-    if (has_decimal_commas) {
-        if (cell.find('.') != std::string_view::npos) return std::nullopt;
-        with_point = cell;
-        std::replace(with_point.begin(), with_point.end(), ',', '.');
-        cell = with_point;
-    }
-    const auto number = leading_number(cell);
-    if (!number || number->length != cell.size()) return std::nullopt;
-    return number->value;
-}
-
 TableDialect dialect_of(const std::vector<TableLine>& lines) {
     using enum TableSeparator;
     constexpr std::array<TableDialect, 8> all{{{tab, false},
@@ -135,16 +143,16 @@ TableDialect dialect_of(const std::vector<TableLine>& lines) {
                                                {blank, false},
                                                {blank, true},
                                                {comma, true}}};
-    TableDialect best;
+    std::optional<TableDialect> best;
     std::size_t most = 0;
     for (const TableDialect dialect : all) {
         if (dialect.separator != blank && !occurs(lines, sign_of(dialect.separator))) continue;
         const std::size_t score = score_of(lines, dialect);
-        if (score <= most) continue;
+        if (best && score <= most) continue;
         most = score;
         best = dialect;
     }
-    return best;
+    return best.value_or(TableDialect{});
 }
 
 }  // namespace batten::core

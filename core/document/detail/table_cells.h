@@ -1,7 +1,6 @@
 /// The lines and cells of a table of numbers, and by what they are told apart.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,16 +23,14 @@ struct TableLine {
 /// `text` without a byte order mark, with hyphens for typographic minus signs and plain blanks for others.
 std::string with_plain_signs(std::string_view text);
 
-/// The lines that are not empty, without what stands behind #.
+/// The lines that are not empty, without what stands behind a # that is not quoted and does not begin a sign like #N/A.
 std::vector<TableLine> lines_of(std::string_view text);
 
 /// The cells of a line, without blanks and quotation marks around them and without empty ones at the end.
 void split(std::string_view line, TableSeparator separator, std::vector<std::string_view>& cells);
 
-/// The number that is all of `cell`.
-std::optional<double> number_in(std::string_view cell, bool has_decimal_commas);
-
-/// What makes most lines numbers throughout, else what finds two numbers in most of them.
+/// What makes most lines numbers throughout, else what finds two numbers in most of them, where also what is meant as a
+/// number counts. Decimal commas need one that cannot separate thousands, but between semicolons.
 TableDialect dialect_of(const std::vector<TableLine>& lines);
 
 }  // namespace batten::core

@@ -117,6 +117,88 @@ TEST(PointTable, a_first_line_with_a_slip_is_no_heading) {
               "line 1, column 2: 'abc' is not a finite number; this table has decimal points");
 }
 
+// As programs write what is no number, in a first row that would pass for headings.
+TEST(PointTable, a_first_line_without_numbers_in_their_places_is_no_heading) {
+    const std::vector<std::pair<const char*, const char*>> lines{
+        {"nan,nan", "line 1, column 1: 'nan'"},           {"NaN\t1", "line 1, column 1: 'NaN'"},
+        {"inf inf", "line 1, column 1: 'inf'"},           {"-Infinity;2", "line 1, column 1: '-Infinity'"},
+        {"n/a,n/a", "line 1, column 1: 'n/a'"},           {"NA 1", "line 1, column 1: 'NA'"},
+        {"#N/A,#N/A", "line 1, column 1: '#N/A'"},        {"1;#DIV/0!", "line 1, column 2: '#DIV/0!'"},
+        {"#REF!\t#VALUE!", "line 1, column 1: '#REF!'"},  {"1.#INF 2", "line 1, column 1: '1.#INF'"},
+        {"1.#QNAN00,2", "line 1, column 1: '1.#QNAN00'"}, {"nan(ind) 2", "line 1, column 1: 'nan(ind)'"}};
+    for (const auto& [line, place] : lines) {
+        const char separator = line[std::string_view(line).find_first_of(",;\t ")];
+        const std::string rest = std::string("\n1") + separator + "2\n3" + separator + "4\n";
+        EXPECT_EQ(refusal_of_table(line + rest),
+                  std::string(place) + " is not a finite number; this table has decimal points");
+    }
+}
+
+TEST(PointTable, comments_may_hold_what_looks_like_an_error) {
+    EXPECT_EQ(table_of("#index x y\n# inf\n1 2 # nan\n3 4\n").points, (Points{{1, 2}, {3, 4}}));
+    EXPECT_EQ(table_of("\"a#1\",1,2\n\"b#2\",3,4\n").points, (Points{{1, 2}, {3, 4}})) << "a name that is quoted";
+}
+
+TEST(PointTable, thousands_separators_are_refused_with_their_place) {
+    for (const char* cell : {"1,234,567", "1.234.567", "1,234.5", "1.234,5", "-12,345,678.9", "1 234,5", "1 234.5",
+                             "1\xE2\x80\xAF"
+                             "234",
+                             "1'234.5", "1,23,456.7"}) {
+        std::string plain = cell;
+        if (const auto at = plain.find("\xE2\x80\xAF"); at != std::string::npos) plain.replace(at, 3, " ");
+        const std::string refusal = ": '" + plain + "' has thousands separators, which are not read";
+        for (const char separator : {'\t', ';'}) {
+            EXPECT_EQ(refusal_of_table(cell + std::string(1, separator) + "2\n"), "line 1, column 1" + refusal);
+            EXPECT_EQ(
+                refusal_of_table("x" + std::string(1, separator) + "y\n3" + separator + "4\n5" + separator + cell),
+                "line 3, column 2" + refusal);
+        }
+        EXPECT_EQ(refusal_of_table("2,\"" + std::string(cell) + "\"\n"), "line 1, column 2" + refusal);
+    }
+}
+
+TEST(PointTable, three_digits_behind_a_comma_may_be_thousands) {
+    const char* refusal =
+        ": '1,234' may have a decimal comma or separate thousands by it; semicolons between the columns tell that "
+        "commas are decimal";
+    for (const char* text : {"1,234\t5,678\n", "1,234 5,678\n", "\"1,234\",\"5,678\"\n", "1,234\t0.5\n", "1,234\t7\n"})
+        EXPECT_EQ(refusal_of_table(text), "line 1, column 1" + std::string(refusal)) << text;
+    // Semicolons stand where commas are decimal; and one number that can have no thousands tells for all.
+    EXPECT_EQ(table_of("1,234;5,678\n").points, (Points{{1.234, 5.678}}));
+    for (const char* text : {"1,234\t5,678\n0,250\t2\n", "1,234 5,678\n0,250 2\n", "1,234\t5,678\n,25\t2,0\n"})
+        EXPECT_EQ(table_of(text).points, (Points{{1.234, 5.678}, {0.25, 2}})) << text;
+    EXPECT_EQ(table_of("1.234;5.678\n").points, (Points{{1.234, 5.678}})) << "points are decimal";
+}
+
+TEST(PointTable, rows_that_commas_cut_in_more_cells_are_refused) {
+    EXPECT_EQ(refusal_of_table("x,y\n1,234,567\n"),
+              "line 2, column 3: the line has 3 columns, and there are 2 headings");
+    EXPECT_EQ(refusal_of_table("Length,Height\n1,234,567\n2,345,678\n"),
+              "line 2, column 3: the line has 3 columns, and there are 2 headings");
+    EXPECT_EQ(refusal_of_table("998,1\n999,2\n1,000,3\n"),
+              "line 3, column 3: the line has 3 columns, and the first one has 2");
+    EXPECT_EQ(refusal_of_table("1,000,3\n999,2\n"),
+              "line 2, column 3: the line has 2 columns, and the first one has 3");
+    EXPECT_EQ(refusal_of_table("998 1\n1 000 3\n"),
+              "line 2, column 3: the line has 3 columns, and the first one has 2");
+    // Cells may be empty at the end, and remarks stand anywhere.
+    const Points points{{1, 2}, {3, 4}};
+    for (const char* text :
+         {"1,2,\n3,4,5\n", "1,2,5\n3,4,\n", "1,2,start\n3,4\n", "x,y,z\n1,2,5\n3,4\n", "1 2\n3 4 end\n"})
+        EXPECT_EQ(table_of(text).points, points) << text;
+}
+
+// As write.table of R writes it, where nothing stands above the names of the rows.
+TEST(PointTable, a_row_longer_than_its_headings_is_refused) {
+    EXPECT_EQ(refusal_of_table("\"x\" \"y\"\n\"1\" 0.5 2\n\"2\" 1 3\n"),
+              "line 2, column 3: the line has 3 columns, and there are 2 headings");
+    EXPECT_EQ(table_of("\"x\" \"y\"\n\"1\" 0.5 2\n\"2\" 1 3\n", TableColumns{2, 3}).points, (Points{{0.5, 2}, {1, 3}}));
+}
+
+TEST(PointTable, units_below_the_names_of_columns_change_nothing) {
+    EXPECT_EQ(table_of("t,x,y\n[s],[mm],[mm]\n0,1,2\n1,3,4\n").points, (Points{{1, 2}, {3, 4}}));
+}
+
 // As `batten convert -o wave.csv` writes a knot at which a derivative jumps, and a tear, where the curve does.
 TEST(PointTable, takes_two_rows_of_one_place_for_one_point) {
     const std::string heading = "curve,u,x,y,x',y'\n";

@@ -183,6 +183,10 @@ TEST_F(TableCommands, wrong_tables_change_nothing) {
     EXPECT_EQ(said(), "line 2, column 2: 'x' is not a finite number; this table has decimal points");
     EXPECT_FALSE(paste("", TableUse::through));
     EXPECT_EQ(said(), "no line with two numbers was found; a table of points has x and y in two of its columns");
+    EXPECT_FALSE(paste("nan\tnan\n1\t2\n3\t4", TableUse::through));
+    EXPECT_EQ(said(), "line 1, column 1: 'nan' is not a finite number; this table has decimal points");
+    EXPECT_FALSE(paste("1,234.5\t2\n3\t4", TableUse::through));
+    EXPECT_EQ(said(), "line 1, column 1: '1,234.5' has thousands separators, which are not read");
     EXPECT_FALSE(paste("1 2\n", TableUse::through));
     EXPECT_FALSE(paste("1 2\n1 2\n", TableUse::through));
     EXPECT_FALSE(editor_.run(PointsFromTable{.text = "1 2\n3 4", .x_column = 3}));
