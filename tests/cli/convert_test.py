@@ -118,7 +118,7 @@ class Convert(unittest.TestCase):
         self.assertIn("none.json: ", missing.stderr)
         foreign = run("convert", self.line, "-o", self.folder / "out.ai")
         self.assertEqual((foreign.returncode, foreign.stdout), (2, ""))
-        self.assertRegex(foreign.stderr, "^batten convert: 'out.ai' ends in .ai, as no file that curves are written to; name it 'out.json', or with "
+        self.assertRegex(foreign.stderr, "^batten convert: 'out.ai' ends in .ai, and curves are not written to such files; name it 'out.json', or with "
                          ".svg, .dxf, .* or .csv\n$")
         for words, problem in (
             (("--samples", "1"), "--samples: 1 is no whole number from 2 to 10000000"),

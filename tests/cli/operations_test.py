@@ -195,7 +195,7 @@ class Operations(unittest.TestCase):
         for ending in ("ai", "AI", "txt", "geojson"):
             path = self.folder / f"wave.{ending}"
             error = self.wrong_usage("new", *words_of("line 0 0 1 1"), "-o", path)
-            self.assertRegex(error, f"^batten new: 'wave.{ending}' ends in .{ending}, as no file that curves are written to; name it 'wave.json', or with .svg, .dxf, .* or .csv\n$")
+            self.assertRegex(error, f"^batten new: 'wave.{ending}' ends in .{ending}, and curves are not written to such files; name it 'wave.json', or with .svg, .dxf, .* or .csv\n$")
             self.assertFalse(path.exists())
         for ending in ("pdf", "PNG", "tex"):
             error = self.wrong_usage("new", *words_of("line 0 0 1 1"), "-o", self.folder / f"wave.{ending}")

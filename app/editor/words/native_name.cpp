@@ -69,15 +69,16 @@ std::optional<Refusal> refused_ending(const std::filesystem::path& path, const c
 
 std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
     return refused_ending(path,
-                          "'{name}' ends in .{ending}, as no file that curves are written to; name it '{native}'");
+                          "'{name}' ends in .{ending}, and curves are not written to such files; name it '{native}'");
 }
 
 std::optional<Refusal> foreign_result(const std::filesystem::path& path) {
     if (exchange::format_of(path)) return std::nullopt;
     if (!is_named_as_figure(path))
-        return refused_ending(path,
-                              "'{name}' ends in .{ending}, as no file that curves are written to; name it '{native}', "
-                              "or with {others}");
+        return refused_ending(
+            path,
+            "'{name}' ends in .{ending}, and curves are not written to such files; name it '{native}', "
+            "or with {others}");
     return core::sentence("'{name}' is a picture, as 'batten figure' writes it; a file with curves is '{native}'",
                           {{"name", path.filename().string()}, {"native", native_instead(path).string()}});
 }

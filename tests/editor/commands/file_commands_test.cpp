@@ -229,7 +229,7 @@ TEST_F(FileCommands, a_foreign_ending_is_not_given_curves) {
     }
     EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "v1.2.ai"}));
     EXPECT_EQ(state().message.text,
-              "'v1.2.ai' ends in .ai, as no file that curves are written to; name it 'v1.2.json'");
+              "'v1.2.ai' ends in .ai, and curves are not written to such files; name it 'v1.2.json'");
     EXPECT_EQ(state().path, wave_);
 }
 
@@ -237,7 +237,7 @@ TEST_F(FileCommands, advice_for_a_name_is_a_name_of_its_own) {
     run(Open{.path = wave_});
     EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "x.json.bak"}));
     EXPECT_EQ(state().message.text,
-              "'x.json.bak' ends in .bak, as no file that curves are written to; name it 'x.bak.json'");
+              "'x.json.bak' ends in .bak, and curves are not written to such files; name it 'x.bak.json'");
     for (const char* name : {".svg", ".json"}) {
         EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name}));
         EXPECT_EQ(state().message.text,
