@@ -119,8 +119,6 @@ class IgesReading : public testing::Test {
     }
 };
 
-}  // namespace
-
 // OpenCASCADE mirrors it.
 TEST_F(IgesReading, UprightParabolasRunWhereTheirEquationSays) {
     const Imported found = read({upright_parabola});
@@ -245,5 +243,7 @@ TEST_F(IgesReading, NumbersOfAnUnknownUnitStay) {
                   "the unit of the file is none that IGES has, so it is left out; the numbers stay as they are");
     }
 }
+
+}  // namespace
 
 }  // namespace batten::exchange
