@@ -77,9 +77,10 @@ std::string place_of(std::size_t index, const Operation& operation) {
 }
 
 // Why the operation could not be run, if it could not.
-std::optional<editor::Refusal> run(editor::Editor& editor, Operation& operation) {
-    if (const auto outcome = read_tables(operation, editor.state().history.present().units); !outcome)
-        return outcome.error();
+std::optional<editor::Refusal> run(editor::Editor& editor, Operation& operation, Output output) {
+    const auto told = read_tables(operation, editor.state().history.present().units);
+    if (!told) return told.error();
+    for (const std::string& sentence : *told) say(output, sentence);
     const auto command = editor::read_command(*operation.spec, editor.state(), operation.arguments);
     if (!command) return command.error();
     if (!editor.run(*command)) return editor.state().message.text;
@@ -108,7 +109,7 @@ ExitStatus run(editor::Editor& editor, const ApplyOptions& options, Output outpu
         if (!operation) return say_wrong_words(output, options, operation.error());
         if (reads_input_again(*operation, is_input_read))
             return say_wrong_words(output, options, "standard input, -, can be read only once");
-        if (const auto refusal = run(editor, *operation)) {
+        if (const auto refusal = run(editor, *operation, output)) {
             say_error(output, name_of_input(options), place_of(i, *operation), *refusal);
             return ExitStatus::wrong_input;
         }

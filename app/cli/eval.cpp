@@ -26,12 +26,12 @@ std::optional<std::vector<double>> parameters_of(const EvalOptions& options, Out
             parameters.push_back(core::leading_number(word)->value);
             continue;
         }
-        const auto numbers = read_table(word, TableContent::numbers);
-        if (!numbers) {
-            say(output, numbers.error().sentence());
+        const auto table = read_table(word, TableContent::numbers);
+        if (!table) {
+            say(output, table.error().sentence());
             return std::nullopt;
         }
-        parameters.insert(parameters.end(), numbers->begin(), numbers->end());
+        parameters.insert(parameters.end(), table->numbers.begin(), table->numbers.end());
     }
     return parameters;
 }

@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "app/cli/number_table.h"
 #include "app/cli/standard_streams.h"
+#include "core/base/sentence.h"
 #include "core/document/point_table.h"
 
 namespace batten::cli {
@@ -29,23 +32,29 @@ const std::string* table_word(const editor::Field& field, const editor::Argument
 }
 
 // A table of the kinds that the window opens, as coordinates.
-core::FileResult<std::vector<double>> parse_points(const std::string& text) {
+core::FileResult<ReadTable> parse_points(const std::string& text) {
     return core::read_point_table(text).map([](const core::PointTable& table) {
-        std::vector<double> coordinates;
-        for (const core::Point point : table.points) coordinates.insert(coordinates.end(), {point.x, point.y});
-        return coordinates;
+        ReadTable read{.numbers = {}, .told = core::told_of_other_curves(table)};
+        for (const core::Point point : table.points) read.numbers.insert(read.numbers.end(), {point.x, point.y});
+        return read;
     });
+}
+
+core::FileResult<ReadTable> parse_numbers(const std::string& text) {
+    return parse_table(text).map([](std::vector<double> numbers) { return ReadTable{.numbers = std::move(numbers)}; });
 }
 
 }  // namespace
 
-core::FileResult<std::vector<double>> read_table(const std::string& word, TableContent content) {
+core::FileResult<ReadTable> read_table(const std::string& word, TableContent content) {
     const std::filesystem::path file = word.substr(1);
     const std::string name = shown_name(file);
     const auto text = is_standard(file) ? core::read_text(standard_input, name) : core::read_text(file);
     if (!text) return tl::unexpected(text.error());
-    auto numbers = content == TableContent::points ? parse_points(*text) : parse_table(*text);
-    return std::move(numbers).map_error([&](const core::FileError& error) {
+    auto read = content == TableContent::points ? parse_points(*text) : parse_numbers(*text);
+    if (read && !read->told.empty())
+        read->told = core::sentence("{file}: {told}", {{"file", name}, {"told", read->told}});
+    return std::move(read).map_error([&](const core::FileError& error) {
         return core::FileError{error.where.empty() ? name : fmt::format("{}: {}", name, error.where), error.what};
     });
 }
@@ -58,19 +67,21 @@ std::vector<std::string> table_words(const Operation& operation) {
     return words;
 }
 
-editor::Outcome<void> read_tables(Operation& operation, const editor::Units& units) {
+editor::Outcome<std::vector<std::string>> read_tables(Operation& operation, const editor::Units& units) {
+    std::vector<std::string> told;
     const auto fields = fields_of_arguments(*operation.spec, operation.arguments.size());
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const std::string* word = table_word(*fields[i], operation.arguments[i]);
         if (word == nullptr) continue;
         const bool are_points = fields[i]->kind == editor::FieldKind::positions;
-        auto numbers = read_table(*word, are_points ? TableContent::points : TableContent::numbers);
-        if (!numbers) return tl::unexpected(numbers.error().sentence());
+        auto table = read_table(*word, are_points ? TableContent::points : TableContent::numbers);
+        if (!table) return tl::unexpected(table.error().sentence());
         if (are_points)
-            for (double& number : *numbers) number *= editor::world_per_length(units);
-        operation.arguments[i] = *std::move(numbers);
+            for (double& number : table->numbers) number *= editor::world_per_length(units);
+        operation.arguments[i] = std::move(table->numbers);
+        if (!table->told.empty()) told.push_back(std::move(table->told));
     }
-    return {};
+    return told;
 }
 
 }  // namespace batten::cli

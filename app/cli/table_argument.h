@@ -26,14 +26,21 @@ enum class TableContent {
     points    ///< as core::read_point_table finds them
 };
 
-/// The numbers of the table that `word` names, or the coordinates of its points. The error's place is the file's name,
-/// also where a line is meant.
-core::FileResult<std::vector<double>> read_table(const std::string& word, TableContent content);
+/// The numbers of a table, or the coordinates of its points, and what is to be said of what was left out; mostly
+/// nothing.
+struct ReadTable {
+    std::vector<double> numbers;
+    std::string told{};
+};
+
+/// The table that `word` names. The error's place is the file's name, also where a line is meant.
+core::FileResult<ReadTable> read_table(const std::string& word, TableContent content);
 
 /// The words of `operation` that name a table where a list of points, numbers or indices is needed.
 std::vector<std::string> table_words(const Operation& operation);
 
-/// Puts the numbers of those tables in their place; points of a table are in `units`. The refusal is one sentence.
-editor::Outcome<void> read_tables(Operation& operation, const editor::Units& units);
+/// Puts the numbers of those tables in their place; points of a table are in `units`. What was left out of them is told
+/// in sentences that begin with the file's name. The refusal is one sentence.
+editor::Outcome<std::vector<std::string>> read_tables(Operation& operation, const editor::Units& units);
 
 }  // namespace batten::cli

@@ -46,6 +46,7 @@ class PointReader {
         if (auto chosen = choose_columns(first); !chosen) return tl::unexpected(chosen.error());
         table_.points.reserve(lines_.size() - first);
         parameter_column_ = column_named("u");
+        curve_column_ = column_named("curve");
         for (std::size_t i = first; i < lines_.size(); ++i) {
             split(lines_[i].text, dialect_.separator, cells_);
             if (auto taken = take_row(lines_[i]); !taken) return tl::unexpected(taken.error());
@@ -152,6 +153,7 @@ class PointReader {
     // A row is what cells_ has of it.
     FileResult<void> take_row(const TableLine& line) {
         const std::optional<double> last = std::exchange(parameter_, parameter_of_row());
+        if (is_of_other_curve(last)) return {};
         const FileResult<double> x = number_at(line, table_.columns.x);
         if (!x) return tl::unexpected(x.error());
         const FileResult<double> y = number_at(line, table_.columns.y);
@@ -164,6 +166,17 @@ class PointReader {
     std::optional<double> parameter_of_row() const {
         if (parameter_column_ == 0 || parameter_column_ > cells_.size()) return std::nullopt;
         return number_in(cells_[parameter_column_ - 1], dialect_.has_decimal_commas);
+    }
+
+    // Curves follow one another. Two of them may have one name, where u begins anew.
+    bool is_of_other_curve(std::optional<double> last_parameter) {
+        if (curve_column_ == 0) return false;
+        const std::string_view name = curve_column_ > cells_.size() ? std::string_view() : cells_[curve_column_ - 1];
+        const std::optional<std::string_view> last_name = std::exchange(curve_, name);
+        const bool is_earlier = parameter_ && last_parameter && *parameter_ < *last_parameter;
+        if (last_name && (name != *last_name || is_earlier)) ++table_.other_curves;
+        if (table_.other_curves > 0) ++table_.other_rows;
+        return table_.other_curves > 0;
     }
 
     // Commas and blanks that separate thousands make more cells of a row than there are headings, or than other rows
@@ -238,8 +251,10 @@ class PointReader {
     std::size_t heading_count_ = 0;  // in the last line above the numbers; 0 where there are none
     std::size_t row_width_ = 0;      // of the first line, of numbers between commas or blanks; 0 for others
     std::size_t parameter_column_ = 0;
+    std::size_t curve_column_ = 0;
     std::vector<std::string_view> cells_;
-    std::optional<double> parameter_{};  // of this row
+    std::optional<double> parameter_{};        // of this row
+    std::optional<std::string_view> curve_{};  // whose row this is
 };
 
 }  // namespace
@@ -250,6 +265,14 @@ FileResult<PointTable> read_point_table(std::string_view text, std::optional<Tab
     const std::string plain = with_plain_signs(text);
     const std::vector<TableLine> lines = lines_of(plain);
     return PointReader(lines, dialect_of(lines), columns).read();
+}
+
+std::string told_of_other_curves(const PointTable& table) {
+    if (table.other_curves == 0) return {};
+    return sentence(
+        {.one = "the points are those of the first curve; the rows of another one are left out: {rows}",
+         .many = "the points are those of the first curve; the rows of {count} others are left out: {rows}"},
+        table.other_curves, {{"rows", table.other_rows}});
 }
 
 }  // namespace batten::core

@@ -30,7 +30,9 @@ struct PointTable {
     TableColumns columns;               ///< those that were read
     TableSeparator separator = TableSeparator::tab;
     bool has_decimal_commas = false;
-    bool is_two_sided = false;  ///< the two sides of an airfoil, each from its nose, became one way around it
+    bool is_two_sided = false;     ///< the two sides of an airfoil, each from its nose, became one way around it
+    std::size_t other_rows = 0;    ///< that were left out, since they are of other curves than the first one
+    std::size_t other_curves = 0;  ///< how many these are
 };
 
 /// The points in `text`, one a line. Between cells stand tabs, semicolons, commas or blanks, and decimals have a point
@@ -41,7 +43,8 @@ struct PointTable {
 /// any case, else the first two that hold numbers. An airfoil may be given around (Selig), or as two numbers of points
 /// and then its upper and its lower side from the nose (Lednicer); the latter becomes the former. Line ends of all
 /// systems, a byte order mark, typographic minus signs and blanks do no harm. Of samples of a curve, in a table with a
-/// column u, a place that has two rows is one point.
+/// column u, a place that has two rows is one point; in a table with a column curve the first rows count, up to another
+/// name in it or a smaller u.
 ///
 /// The error names line and column: a cell that is empty or no finite number, also nan or #N/A in the first row, or one
 /// that has thousands separators or may have; a column that the line does not have; or a line of numbers with more
@@ -49,6 +52,10 @@ struct PointTable {
 /// others than the first one. Or there are no two columns of numbers. Cost O(n).
 [[nodiscard]] FileResult<PointTable> read_point_table(std::string_view text,
                                                       std::optional<TableColumns> columns = std::nullopt);
+
+/// What is to be said where the table has rows of other curves than that of the first one, which were left out: a
+/// sentence with their number. Empty where it has none.
+std::string told_of_other_curves(const PointTable& table);
 
 template <>
 struct Names<TableSeparator> {

@@ -47,6 +47,16 @@ class Tables(unittest.TestCase):
     def test_points_come_from_standard_input(self):
         self.assertEqual(self.made("polyline", "@-", input="0,0\n4,0\n4,3\n"), CORNERS)
 
+    def test_of_samples_of_two_curves_the_first_is_read(self):
+        """As `convert` writes them: of a line from the origin to (3, 4) the points at u = 0, 1, 2."""
+        both = write_document(self.folder / "both.json", LINE, {**LINE, "name": "other", "points": [[7, 7], [9, 9]]})
+        samples = self.folder / "both.csv"
+        self.assertEqual(run("convert", both, "-o", samples, "--samples", 3).returncode, 0)
+        process = run("new", "polyline", f"@{samples}", "-o", self.output)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn("both.csv: the points are those of the first curve; the rows of another one are left out: 3\n", process.stderr)
+        self.assertEqual(json.loads(self.output.read_text())["curves"][0]["points"], [[0, 0], [1.5, 2], [3, 4]])
+
     def test_a_pipe_is_a_table_too(self):
         reader, writer = os.pipe()
         os.write(writer, b"0 0\n4 0\n4 3\n")

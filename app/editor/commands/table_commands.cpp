@@ -179,6 +179,8 @@ Outcome<Edit> with_points(const EditorState& state, std::string_view text, const
     if (units)
         remark =
             sentence("{remark}; its numbers are {unit}", {{"remark", remark}, {"unit", core::title_of(units->unit)}});
+    if (const std::string told = core::told_of_other_curves(*table); !told.empty())
+        remark = sentence("{remark}; {told}", {{"remark", remark}, {"told", told}});
     const std::string wish = table->title.empty() ? name : free_name(state.history.present(), table->title);
     Edit edit = with_curve(state, wish, std::move(made->curve));
     edit.document.curves.back().fit = std::move(made->fit);

@@ -199,6 +199,25 @@ TEST(PointTable, units_below_the_names_of_columns_change_nothing) {
     EXPECT_EQ(table_of("t,x,y\n[s],[mm],[mm]\n0,1,2\n1,3,4\n").points, (Points{{1, 2}, {3, 4}}));
 }
 
+TEST(PointTable, of_several_curves_the_first_is_read_and_the_others_are_told) {
+    const std::string first = "curve,u,x,y\na,0,1,2\na,1,3,4\n";
+    EXPECT_EQ(told_of_other_curves(table_of(first)), "");
+    const PointTable two = table_of(first + "b,0,5,6\nb,0.5,5,7\nb,1,7,8\n");
+    EXPECT_EQ(two.points, (Points{{1, 2}, {3, 4}}));
+    EXPECT_EQ(told_of_other_curves(two),
+              "the points are those of the first curve; the rows of another one are left out: 3");
+    const PointTable three = table_of(first + "b,0,5,6\nb,1,7,8\nc,0,1,1\n");
+    EXPECT_EQ(three.points, (Points{{1, 2}, {3, 4}}));
+    EXPECT_EQ(told_of_other_curves(three),
+              "the points are those of the first curve; the rows of 2 others are left out: 3");
+    // Two curves may have one name, or none.
+    for (const char* name : {"a", "\"a\""})
+        EXPECT_EQ(table_of(first + name + ",0,5,6\n" + name + ",1,7,8\n").points, two.points);
+    const PointTable nameless = table_of("Curve;U;X;Y\n;0;1;2\n;1;3;4\n;0;5;6\n");
+    EXPECT_EQ(nameless.points, two.points);
+    EXPECT_EQ(nameless.other_rows, 1U);
+}
+
 // As `batten convert -o wave.csv` writes a knot at which a derivative jumps, and a tear, where the curve does.
 TEST(PointTable, takes_two_rows_of_one_place_for_one_point) {
     const std::string heading = "curve,u,x,y,x',y'\n";

@@ -64,6 +64,14 @@ TEST_F(TableCommands, points_control) {
     EXPECT_EQ(points(editor_).size(), 4U);
 }
 
+TEST_F(TableCommands, of_several_curves_the_first_is_read_and_the_others_are_told) {
+    const char* samples = "curve,u,x,y\na,0,1,2\na,0.5,2,2\na,1,3,4\nb,0,5,6\nb,1,7,8\n";
+    ASSERT_TRUE(paste(samples, TableUse::control)) << said();
+    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{1, 2}, {2, 2}, {3, 4}}));
+    EXPECT_TRUE(said().ends_with("; the points are those of the first curve; the rows of another one are left out: 2"))
+        << said();
+}
+
 TEST_F(TableCommands, points_are_passed) {
     ASSERT_TRUE(paste("0 0\n1 2\n3 1\n4 4\n6 5", TableUse::through)) << said();
     for (const core::Point point : {core::Point(0, 0), {1, 2}, {3, 1}, {4, 4}, {6, 5}})
