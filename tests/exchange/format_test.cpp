@@ -37,14 +37,82 @@ TEST(CurveFile, AdvisesAnotherFormatOfJson) {
     EXPECT_EQ(load_curves(path, Format::rhino).error().what.find("looks like"), std::string::npos);
 }
 
+namespace {
+
+// What is told behind why a file is not read in the format, or as one of Batten itself; "why" where nothing is.
+std::string advice(const std::string& name, const std::string& bytes, std::optional<Format> read) {
+    const std::string path = testing::TempDir() + name;
+    std::ofstream(path, std::ios::binary) << bytes;
+    const std::string told = read ? load_curves(path, *read).error().what : with_advice({"", "why"}, path).what;
+    const std::size_t end_of_problem = told.rfind("; ");
+    return end_of_problem == std::string::npos ? told : told.substr(end_of_problem + 2);
+}
+
+// One line from (0, 0) to (1, 1) as each of them keeps it.
+constexpr const char* of_rhino = R"({"curves": [{"degree": 1, "points": [[0, 0], [1, 1]], "knots": [0, 1]}]})";
+constexpr const char* of_opencascade =
+    R"({"curves": [{"degree": 1, "poles": [[0, 0], [1, 1]], "knots": [0, 1], "multiplicities": [2, 2]}]})";
+constexpr const char* of_tinyspline =
+    R"({"degree": 1, "dimension": 2, "control_points": [0, 0, 1, 1], "knots": [0, 0, 1, 1]})";
+constexpr const char* of_nurbs_python =
+    R"({"shape": {"type": "curve", "count": 1, "data": [{"degree": 1, "knotvector": [0, 0, 1, 1],
+        "control_points": {"points": [[0, 0], [1, 1]]}}]}})";
+constexpr const char* of_batten =
+    R"({"format": "batten", "version": 1, "curves": [{"name": "a", "degree": 1, "points": [[0, 0], [1, 1]],
+        "knots": [0, 0, 1, 1]}]})";
+
+}  // namespace
+
+TEST(CurveFile, AdvisesTheFormatOfEachJson) {
+    const std::vector<std::pair<Format, const char*>> all{{Format::rhino, of_rhino},
+                                                          {Format::opencascade, of_opencascade},
+                                                          {Format::tinyspline, of_tinyspline},
+                                                          {Format::nurbs_python, of_nurbs_python}};
+    for (const auto& [format, text] : all) {
+        const std::string expected =
+            "it looks like a file in the format " + std::string(core::title_of(format)) + ", which has to be chosen";
+        EXPECT_EQ(advice("curves.json", text, std::nullopt), expected);
+        EXPECT_EQ(advice("curves.txt", text, Format::svg), expected);
+        for (const auto& [other, other_text] : all) {
+            if (other == format) continue;
+            EXPECT_EQ(advice("curves.json", text, other), expected);
+        }
+        EXPECT_TRUE(load_curves(testing::TempDir() + "curves.json", format)) << expected;
+    }
+}
+
+TEST(CurveFile, AdvisesTheNameOfItsOwnFiles) {
+    for (const Format format : {Format::svg, Format::dxf, Format::rhino, Format::tinyspline})
+        EXPECT_EQ(advice("own.txt", of_batten, format),
+                  "it looks like a file of Batten itself, whose name ends in .json alone and for which no format is "
+                  "chosen");
+    EXPECT_EQ(advice("own.txt", of_batten, std::nullopt), "why");
+    // A drawing may hold such a file, and a curve of another format may have that name.
+    EXPECT_EQ(advice("drawing.dxf", "<svg>{\"format\": \"batten\"}</svg>", Format::dxf),
+              "it looks like a file in the format SVG, which has to be chosen");
+    EXPECT_EQ(advice("named.json", R"({"curves": [{"name": "batten", "poles": []}]})", Format::rhino),
+              "it looks like a file in the format OpenCASCADE-style, which has to be chosen");
+    EXPECT_EQ(advice("drawing.dxf", "<svg class=\"shape\"/>", Format::dxf),
+              "it looks like a file in the format SVG, which has to be chosen");
+}
+
+// By the first bytes of TrueType, OpenType, collections, WOFF, WOFF2 and Type 1.
+TEST(CurveFile, AdvisesTheCommandThatReadsFonts) {
+    using namespace std::string_literals;
+    const char* expected = "it looks like a font, of whose letters 'text-outlines' makes curves";
+    for (const std::string& bytes :
+         {"\0\1\0\0\0\x0c"s, "OTTO\0\x0b"s, "ttcf\0\1\0\0"s, "true\0\x0a"s, "wOFF\0\1\0\0"s, "wOF2OTTO"s,
+          "\x80\x01\x12\x34\0\0%!PS-AdobeFont-1.0"s, "%!PS-AdobeFont-1.0: x"s, "%!FontType1-1.0: x"s}) {
+        EXPECT_EQ(advice("letters.otf", bytes, std::nullopt), expected) << bytes;
+        EXPECT_EQ(advice("letters.svg", bytes, Format::svg), expected) << bytes;
+    }
+    for (const char* name : {"cubic.otf", "quadratic.ttf"})
+        EXPECT_EQ(with_advice({"", "why"}, std::filesystem::path(BATTEN_EXCHANGE_DATA) / name).what,
+                  "why; "s + expected);
+}
+
 // What a user may well have instead of a drawing, under any name.
 TEST(CurveFile, AdvisesWhatToDoWithOtherFiles) {
-    const auto advice = [](const std::string& name, const std::string& bytes, std::optional<Format> read) {
-        const std::string path = testing::TempDir() + name;
-        std::ofstream(path, std::ios::binary) << bytes;
-        const std::string told = read ? load_curves(path, *read).error().what : with_advice({"", "why"}, path).what;
-        return told.substr(told.rfind("; ") + 2);
-    };
     EXPECT_EQ(advice("drawing.svgz", "\x1f\x8b\x08", std::nullopt),
               "it is compressed, and can be read when it is unpacked, or saved as plain SVG");
     EXPECT_EQ(advice("drawing.svg", "\x1f\x8b\x08", Format::svg),
