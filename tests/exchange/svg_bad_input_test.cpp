@@ -59,7 +59,8 @@ TEST(BadSvg, IsReadOrRefusedTruncatedAnywhere) {
         R"svg(<g transform="rotate(30 1 2)" style="stroke:#f80"><path id="a" d="M0 0C1 2 3 4 5 6A1 2 30 0 1 3 3z"/></g>)svg"
         R"svg(<use href="#a" x="3"/><polygon points="1,2 3,4 5,6"/><![CDATA[x]]><symbol id="s" viewBox="0 0 1 1"/>)svg"
         R"svg(<switch><use href="#s" width="2" systemLanguage="en" style="transform:skew(3deg,.1rad)translate(1px,5%);)svg"
-        R"svg(transform-origin:1px left !important"/></switch></svg>)svg";
+        R"svg(transform-origin:1px left !important"/></switch><svg font-size="3px" width="1em" height="2rem" )svg"
+        R"svg(overflow="auto"><g inkscape:groupmode="layer"><path style="&a;" d="m.1.1a5 5 0 0 1 6 8"/></g></svg></svg>)svg";
     ASSERT_TRUE(read_svg(text));
     for (std::size_t size = 0; size < text.size(); ++size) EXPECT_FALSE(read_soon(text.substr(0, size))) << size;
     for (std::size_t i = 0; i < text.size(); ++i)
