@@ -148,6 +148,19 @@ TEST_F(StepReading, LengthsThatAreMultipliedAreNotCalledExact) {
     EXPECT_EQ(of_meters.report.left_out.size(), 1u);
 }
 
+// At its end the curve is 1e-13 |C'(1)| = 2e-13 |(2.2, 0.1)| farther than where it is trimmed.
+TEST_F(StepReading, PartsThatAreNearlyWholeAreNotCalledExact) {
+    const auto trimmed_at = [](const std::string& end) {
+        return read(file_of_curve(replaced(parabola_of_bezier_points, "#6=", "#5=") +
+                                  "#6=TRIMMED_CURVE('',#5,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(" + end +
+                                  ")),.T.,.PARAMETER.);\n"));
+    };
+    EXPECT_EQ(trimmed_at("1.").report.largest_error, 0.0);
+    const Imported nearly_whole = trimmed_at("0.9999999999999");
+    EXPECT_GE(nearly_whole.report.largest_error, 2e-13 * std::hypot(2.2, 0.1));
+    EXPECT_LT(nearly_whole.report.largest_error, 1e-12);
+}
+
 // Whatever the flag says of them.
 TEST_F(StepReading, NearEndsStayTwo) {
     for (const char* is_closed : {".F.", ".T.", ".U."}) {
