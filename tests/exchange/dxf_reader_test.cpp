@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/evaluate/evaluate.h"
+#include "tests/core/point_at_share.h"
 
 namespace batten::exchange {
 
@@ -40,11 +41,6 @@ Curve curve_of(std::string_view entities) {
 std::string refusal_of(std::string_view text) {
     const auto found = read_dxf(text);
     return found ? "" : found.error().sentence();
-}
-
-Point at_share(const Curve& curve, double share) {
-    const core::Interval domain = curve.domain();
-    return core::point_at(curve, domain.lower + share * (domain.upper - domain.lower));
 }
 
 void expect_near(Point found, Point expected) {

@@ -18,14 +18,11 @@
 #include "exchange/cad/cad_files.h"
 #include "exchange/cad/occt_process.h"
 #include "exchange/format.h"
+#include "tests/core/made_curve.h"
 
 namespace batten::exchange {
 
 namespace {
-
-core::Curve made(core::CurveDefinition definition) {
-    return core::Curve::make(std::move(definition)).value();
-}
 
 std::vector<double> clamped_knots(int degree, std::vector<double> inner = {}) {
     std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
@@ -44,7 +41,7 @@ core::Curve curve_over(int degree, const std::vector<double>& inner, bool has_we
         definition.points.push_back({place(engine), place(engine)});
         if (has_weights) definition.weights.push_back(weight(engine));
     }
-    return made(std::move(definition));
+    return core::made_curve(std::move(definition));
 }
 
 core::Document document_with_units(const core::Curve& curve, const std::string& name = "wave") {
@@ -193,12 +190,12 @@ TEST_F(OcctProcess, WhatComesBackIsComparedWithWhatWasMeant) {
         use_script(
             "if [ $1 = write ]; then echo '{\"text\": \"ISO-10303-21;DATA;ENDSEC;END-ISO-10303-21;\"}'; else echo '" +
             answer + "'; fi; cat >/dev/null");
-        const core::Curve line = made({.degree = 1, .knots = clamped_knots(1), .points = {{0, 0}, {1, 1}}});
+        const core::Curve line = core::made_curve({.degree = 1, .knots = clamped_knots(1), .points = {{0, 0}, {1, 1}}});
         return write_step(document_with_units(line), {});
     };
     const auto answer_of_line_to = [](core::Point end) {
         std::string text = core::format_document(
-            document_with_units(made({.degree = 1, .knots = clamped_knots(1), .points = {{0, 0}, end}})));
+            document_with_units(core::made_curve({.degree = 1, .knots = clamped_knots(1), .points = {{0, 0}, end}})));
         std::string quoted;
         for (const char c : text) {
             if (c == '"') quoted += '\\';
@@ -241,23 +238,25 @@ TEST_P(ThroughOpenCascade, KnotsOfEveryMultiplicityStay) {
 TEST_P(ThroughOpenCascade, HugeTinyAndFarNumbersStay) {
     std::vector<core::Curve> curves;
     for (const double size : {1e20, 1e6, 1e-5}) {
-        curves.push_back(made({.degree = 3,
-                               .knots = clamped_knots(3),
-                               .points = {{0, 0}, {size, 2 * size}, {3 * size, 2 * size}, {4 * size, -0.0}}}));
-        curves.push_back(made({.degree = 2,
-                               .knots = {0, 0, 0, size / 3, size, size, size},
-                               .points = {{1e6, 0}, {1e6 + 0.1, 2}, {1e6 + 3, 1}, {1e6, -1e6}}}));
+        curves.push_back(
+            core::made_curve({.degree = 3,
+                              .knots = clamped_knots(3),
+                              .points = {{0, 0}, {size, 2 * size}, {3 * size, 2 * size}, {4 * size, -0.0}}}));
+        curves.push_back(core::made_curve({.degree = 2,
+                                           .knots = {0, 0, 0, size / 3, size, size, size},
+                                           .points = {{1e6, 0}, {1e6 + 0.1, 2}, {1e6 + 3, 1}, {1e6, -1e6}}}));
     }
-    curves.push_back(made({.degree = 3,
-                           .knots = clamped_knots(3, {0.5, 0.5 + 1e-9}),
-                           .points = {{0, 0}, {1, 2}, {3, 2}, {4, 1}, {5, 5}, {6, 0}}}));
+    curves.push_back(core::made_curve({.degree = 3,
+                                       .knots = clamped_knots(3, {0.5, 0.5 + 1e-9}),
+                                       .points = {{0, 0}, {1, 2}, {3, 2}, {4, 1}, {5, 5}, {6, 0}}}));
     expect_exact(curves);
 }
 
 TEST_P(ThroughOpenCascade, EndsThatMeetAndCollinearPointsStay) {
-    expect_exact({made({.degree = 2, .knots = clamped_knots(2, {0.5}), .points = {{0, 0}, {2, 0}, {2, 2}, {0, 0}}}),
-                  made({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {3, 0}, {-3, 0}, {1, 0}}}),
-                  core::circle({1, 2}, 3.0).value()});
+    expect_exact(
+        {core::made_curve({.degree = 2, .knots = clamped_knots(2, {0.5}), .points = {{0, 0}, {2, 0}, {2, 2}, {0, 0}}}),
+         core::made_curve({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {3, 0}, {-3, 0}, {1, 0}}}),
+         core::circle({1, 2}, 3.0).value()});
 }
 
 TEST_P(ThroughOpenCascade, TenThousandPointsStay) {
@@ -268,23 +267,24 @@ TEST_P(ThroughOpenCascade, TenThousandPointsStay) {
 
 TEST_P(ThroughOpenCascade, UnclampedAndPeriodicCurvesAreClamped) {
     expect_same_shape(
-        made({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7, 9}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, 5}}}),
+        core::made_curve(
+            {.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7, 9}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, 5}}}),
         "'wave' was written with clamped ends", 1e-14);
-    expect_same_shape(made({.degree = 3,
-                            .knots = {0, 1, 2, 3, 4.5},
-                            .points = {{0, 0}, {2, 0}, {2, 2}, {0.1, 2}},
-                            .weights = {1, 2, 3, 4},
-                            .periodic = true}),
+    expect_same_shape(core::made_curve({.degree = 3,
+                                        .knots = {0, 1, 2, 3, 4.5},
+                                        .points = {{0, 0}, {2, 0}, {2, 2}, {0.1, 2}},
+                                        .weights = {1, 2, 3, 4},
+                                        .periodic = true}),
                       "'wave' is periodic and was written as an open curve whose ends meet", 1e-14);
-    expect_same_shape(made({.degree = 2, .knots = {0, 0, 0, 1e-9, 1e-9, 1e-9}, .points = {{0, 0}, {1, 1}, {2, 0}}}),
-                      "'wave' was written over the parameters from 0 to 1, since its own are too near each other",
-                      1e-14);
+    expect_same_shape(
+        core::made_curve({.degree = 2, .knots = {0, 0, 0, 1e-9, 1e-9, 1e-9}, .points = {{0, 0}, {1, 1}, {2, 0}}}),
+        "'wave' was written over the parameters from 0 to 1, since its own are too near each other", 1e-14);
 }
 
 // By exact fractions: with the knots 0, 1, ... the first end of the curve is (P0 + 4 P1 + P2) / 6 = (7/6, 10/6).
 TEST_P(ThroughOpenCascade, ClampedCopiesAreNotCalledExact) {
     const core::Curve curve =
-        made({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}});
+        core::made_curve({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}});
     const Exported exported = written(document_with_units(curve));
     EXPECT_GT(exported.report.largest_error, 0.0) << "no double is 7/6";
     EXPECT_LT(exported.report.largest_error, 2e-15);
@@ -296,9 +296,9 @@ TEST_P(ThroughOpenCascade, ClampedCopiesAreNotCalledExact) {
 TEST_P(ThroughOpenCascade, EndsThatAreNearStay) {
     std::vector<core::Curve> curves;
     for (const double size : {1e-9, 1e-150})
-        curves.push_back(made({.degree = 3,
-                               .knots = clamped_knots(3),
-                               .points = {{0, 0}, {size, 2 * size}, {3 * size, 2 * size}, {6 * size, 0}}}));
+        curves.push_back(core::made_curve({.degree = 3,
+                                           .knots = clamped_knots(3),
+                                           .points = {{0, 0}, {size, 2 * size}, {3 * size, 2 * size}, {6 * size, 0}}}));
     expect_exact(curves);
 }
 
@@ -307,10 +307,10 @@ TEST_P(ThroughOpenCascade, EndsThatAreNearStay) {
 TEST_P(ThroughOpenCascade, SmallAndNearWeightsAreMultipliedInIges) {
     const bool is_iges = GetParam() == Format::iges;
     const auto weights_of_copy = [](std::vector<double> weights) {
-        const core::Curve curve = made({.degree = 2,
-                                        .knots = clamped_knots(2),
-                                        .points = {{0, 0}, {1, 2}, {3, 2}},
-                                        .weights = std::move(weights)});
+        const core::Curve curve = core::made_curve({.degree = 2,
+                                                    .knots = clamped_knots(2),
+                                                    .points = {{0, 0}, {1, 2}, {3, 2}},
+                                                    .weights = std::move(weights)});
         const Exported exported = written(document_with_units(curve));
         EXPECT_EQ(exported.report.largest_error, 0.0);
         EXPECT_TRUE(exported.report.left_out.empty());
@@ -329,8 +329,8 @@ TEST_P(ThroughOpenCascade, SmallAndNearWeightsAreMultipliedInIges) {
 
 TEST_P(ThroughOpenCascade, WhatDoesNotComeBackIsLeftOutByName) {
     core::Document document = document_with_units(curve_over(3, {0.25}, true), "first");
-    const core::Curve huge =
-        made({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
+    const core::Curve huge = core::made_curve(
+        {.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
     document.curves.push_back(document_with_units(huge, "a huge one").curves[0]);
     document.curves.push_back(document_with_units(curve_over(2, {0.5}, false), "third").curves[0]);
     const Exported exported = written(document);
@@ -347,8 +347,8 @@ TEST_P(ThroughOpenCascade, WhatDoesNotComeBackIsLeftOutByName) {
 
 // Wherever they stand, the others are all there in their order.
 TEST_P(ThroughOpenCascade, OfManyCurvesThoseAreLeftOutThatDoNotComeBack) {
-    const core::Curve huge =
-        made({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
+    const core::Curve huge = core::made_curve(
+        {.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
     if (format().write(document_with_units(huge), {}).has_value()) GTEST_SKIP() << "everything comes back";
     const std::vector<int> lost{0, 5, 6, 15};
     core::Document document;
@@ -356,7 +356,8 @@ TEST_P(ThroughOpenCascade, OfManyCurvesThoseAreLeftOutThatDoNotComeBack) {
     std::vector<std::string> kept;
     for (int i = 0; i < 16; ++i) {
         const bool is_lost = std::ranges::find(lost, i) != lost.end();
-        const core::Curve plain = made({.degree = 1, .knots = clamped_knots(1), .points = {{0, i * 1.0}, {1, 0}}});
+        const core::Curve plain =
+            core::made_curve({.degree = 1, .knots = clamped_knots(1), .points = {{0, i * 1.0}, {1, 0}}});
         document.curves.push_back(document_with_units(is_lost ? huge : plain, "c" + std::to_string(i)).curves[0]);
         if (!is_lost) kept.push_back(document.curves.back().name);
     }
@@ -422,10 +423,10 @@ TEST_P(ThroughOpenCascade, VisibleCurvesAreWrittenInOrderWithTheirNames) {
 
 TEST_P(ThroughOpenCascade, WhatCannotBeWrittenIsRefused) {
     EXPECT_FALSE(format().write(core::Document{}, {}));
-    const auto torn = format().write(document_with_units(made({.degree = 1,
-                                                               .knots = {0, 0, 1, 1, 2, 2},
-                                                               .points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
-                                                               .tears = core::Tears::allow})),
+    const auto torn = format().write(document_with_units(core::made_curve({.degree = 1,
+                                                                           .knots = {0, 0, 1, 1, 2, 2},
+                                                                           .points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
+                                                                           .tears = core::Tears::allow})),
                                      {});
     ASSERT_FALSE(torn);
     EXPECT_EQ(torn.error().what, "'wave' was left out, since it comes apart at a knot");
@@ -445,8 +446,9 @@ TEST_P(ThroughOpenCascade, FilesOfFreeCadAreRead) {
     ASSERT_EQ(curves.size(), 9u);
     const std::vector<core::Point> points{{0, 0}, {10, 25}, {30, -5}, {40, 20}, {60, 0}};
     const std::vector<double> knots{0, 0, 0, 0, 0.3, 1, 1, 1, 1};
-    EXPECT_EQ(*curves[0].curve, made({.degree = 3, .knots = knots, .points = points}));
-    EXPECT_EQ(*curves[1].curve, made({.degree = 3, .knots = knots, .points = points, .weights = {1, 5, 0.5, 2, 1}}));
+    EXPECT_EQ(*curves[0].curve, core::made_curve({.degree = 3, .knots = knots, .points = points}));
+    EXPECT_EQ(*curves[1].curve,
+              core::made_curve({.degree = 3, .knots = knots, .points = points, .weights = {1, 5, 0.5, 2, 1}}));
     EXPECT_EQ(curves[3].curve->control_points().size(), 5u);
     EXPECT_EQ(curves[3].curve->knots().multiplicity(0.5), 2);
     EXPECT_EQ(curves[4].curve->control_points().front(), (core::Point{1, 2}));
@@ -471,10 +473,10 @@ TEST_P(ThroughOpenCascade, FilesOfFreeCadAreRead) {
 TEST_P(ThroughOpenCascade, PeriodicCurvesOfFreeCadDrawTheSame) {
     const std::string path = std::string(BATTEN_EXCHANGE_DATA "/freecad") + format().endings.front();
     const Imported imported = read(core::read_text(path).value());
-    const core::Curve expected = made({.degree = 3,
-                                       .knots = {0, 1, 2, 3, 4, 5.5},
-                                       .points = {{0, 0}, {10, 25}, {30, -5}, {40, 20}, {60, 0}},
-                                       .periodic = true});
+    const core::Curve expected = core::made_curve({.degree = 3,
+                                                   .knots = {0, 1, 2, 3, 4, 5.5},
+                                                   .points = {{0, 0}, {10, 25}, {30, -5}, {40, 20}, {60, 0}},
+                                                   .periodic = true});
     const core::Curve& curve = *imported.document.curves.at(2).curve;
     EXPECT_EQ(curve.domain(), expected.domain());
     // FreeCAD counts the points from another one on.
@@ -483,16 +485,16 @@ TEST_P(ThroughOpenCascade, PeriodicCurvesOfFreeCadDrawTheSame) {
         core::CurveDefinition shifted = expected.definition();
         std::rotate(shifted.points.begin(), shifted.points.begin() + static_cast<std::ptrdiff_t>(shift),
                     shifted.points.end());
-        nearest = std::min(
-            nearest, core::largest_deviation(core::to_clamped(made(shifted)).value(), core::to_clamped(curve).value()));
+        nearest = std::min(nearest, core::largest_deviation(core::to_clamped(core::made_curve(shifted)).value(),
+                                                            core::to_clamped(curve).value()));
     }
     EXPECT_LT(nearest, 1e-13);
 }
 
 // OpenCASCADE takes what is missing or no number for 0.
 TEST_P(ThroughOpenCascade, WhatIsDamagedIsNotCalledExact) {
-    const core::Curve curve =
-        made({.degree = 3, .knots = clamped_knots(3), .points = {{0.125, 2.625}, {1, 2.5}, {3, 2}, {4, 1.75}}});
+    const core::Curve curve = core::made_curve(
+        {.degree = 3, .knots = clamped_knots(3), .points = {{0.125, 2.625}, {1, 2.5}, {3, 2}, {4, 1.75}}});
     const std::string text = written(document_with_units(curve)).text;
     const auto with = [&](const std::string& before, const std::string& after) {
         const std::size_t at = text.find(before);

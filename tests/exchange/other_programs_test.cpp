@@ -4,6 +4,7 @@
 
 #include "core/evaluate/evaluate.h"
 #include "exchange/format.h"
+#include "tests/core/point_at_share.h"
 
 namespace batten::exchange {
 
@@ -23,11 +24,6 @@ Imported file(const std::string& name) {
 
 const Curve& curve_in(const Imported& imported, std::size_t i) {
     return *imported.document.curves.at(i).curve;
-}
-
-Point at_share(const Curve& curve, double share) {
-    const core::Interval domain = curve.domain();
-    return core::point_at(curve, domain.lower + share * (domain.upper - domain.lower));
 }
 
 // For numbers that the program wrote with so many digits.

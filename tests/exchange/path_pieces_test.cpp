@@ -11,21 +11,18 @@
 #include "core/evaluate/evaluate.h"
 #include "core/make/conics.h"
 #include "core/measure/nearest.h"
+#include "tests/core/made_curve.h"
 
 namespace batten::exchange {
 
 namespace {
-
-core::Curve made(core::CurveDefinition definition) {
-    return core::Curve::make(std::move(definition)).value();
-}
 
 core::Curve curve_of(const PathPiece& piece) {
     const auto points = piece.control_points();
     core::CurveDefinition definition{.degree = piece.degree, .points = {points.begin(), points.end()}};
     definition.knots.assign(points.size(), 0.0);
     definition.knots.insert(definition.knots.end(), points.size(), 1.0);
-    return made(std::move(definition));
+    return core::made_curve(std::move(definition));
 }
 
 // The largest distance of places on the pieces from the curve, and of places on the curve from the pieces.
@@ -53,8 +50,8 @@ double seen_error(const core::Curve& curve, const PathPieces& made) {
 }  // namespace
 
 TEST(PathPieces, AreTheControlPointsOfAPolynomialOfDegreeThree) {
-    const core::Curve curve =
-        made({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, -0.0}}});
+    const core::Curve curve = core::made_curve(
+        {.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, -0.0}}});
     const PathPieces pieces = path_pieces(curve, 1e-3);
     ASSERT_EQ(pieces.pieces.size(), 1u);
     EXPECT_EQ(pieces.error, 0.0);
@@ -67,7 +64,7 @@ TEST(PathPieces, AreTheControlPointsOfAPolynomialOfDegreeThree) {
 TEST(PathPieces, KeepTheDegreeOfLinesAndParabolas) {
     // A uniform quadratic: the pieces of its spans begin and end in the middles of the legs.
     const core::Curve curve =
-        made({.degree = 2, .knots = {0, 1, 2, 3, 4, 5, 6}, .points = {{0, 0}, {2, 0}, {2, 2}, {6, 2}}});
+        core::made_curve({.degree = 2, .knots = {0, 1, 2, 3, 4, 5, 6}, .points = {{0, 0}, {2, 0}, {2, 2}, {6, 2}}});
     const PathPieces pieces = path_pieces(curve, 1e-3);
     ASSERT_EQ(pieces.pieces.size(), 2u);
     EXPECT_EQ(pieces.error, 0.0);
@@ -76,25 +73,27 @@ TEST(PathPieces, KeepTheDegreeOfLinesAndParabolas) {
     EXPECT_EQ(pieces.pieces[1].points[1], (core::Point{2, 2}));
     EXPECT_EQ(pieces.pieces[1].points[2], (core::Point{4, 2}));
     EXPECT_FALSE(pieces.pieces[1].is_first);
-    EXPECT_EQ(path_pieces(made({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {2, 0}}}), 1.0).pieces[0].degree,
+    EXPECT_EQ(path_pieces(core::made_curve({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {2, 0}}}), 1.0)
+                  .pieces[0]
+                  .degree,
               1);
 }
 
 TEST(PathPieces, OfEqualWeightsAreExactAndOfOthersAreNot) {
     core::CurveDefinition definition{
         .degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{1, 0}, {1, 1}, {0, 1}}, .weights = {3, 3, 3}};
-    EXPECT_EQ(path_pieces(made(definition), 1e-3).error, 0.0);
+    EXPECT_EQ(path_pieces(core::made_curve(definition), 1e-3).error, 0.0);
     definition.weights = {1, std::sqrt(0.5), 1};
-    EXPECT_GT(path_pieces(made(definition), 1e-3).error, 0.0);
+    EXPECT_GT(path_pieces(core::made_curve(definition), 1e-3).error, 0.0);
 }
 
 // One cubic for a quarter of the unit circle that meets it at its ends and middle has handles 4/3 (sqrt 2 - 1) and is
 // beyond it by 2.7253e-4.
 TEST(PathPieces, OfAQuarterCircleAreTheKnownCubic) {
-    const core::Curve arc = made({.degree = 2,
-                                  .knots = {0, 0, 0, 1, 1, 1},
-                                  .points = {{1, 0}, {1, 1}, {0, 1}},
-                                  .weights = {1, std::sqrt(0.5), 1}});
+    const core::Curve arc = core::made_curve({.degree = 2,
+                                              .knots = {0, 0, 0, 1, 1, 1},
+                                              .points = {{1, 0}, {1, 1}, {0, 1}},
+                                              .weights = {1, std::sqrt(0.5), 1}});
     const PathPieces pieces = path_pieces(arc, 5e-3);
     ASSERT_EQ(pieces.pieces.size(), 1u);
     EXPECT_NEAR(pieces.pieces[0].points[1].y, 4.0 / 3.0 * (std::numbers::sqrt2 - 1.0), 1e-15);
@@ -119,13 +118,13 @@ TEST(PathPieces, OfACircleAreFewAndWithinTheTolerance) {
 }
 
 TEST(PathPieces, OfHighDegreesAndUnequalWeightsAreWithinTheirBound) {
-    const core::Curve quintic = made({.degree = 5,
-                                      .knots = {0, 0, 0, 0, 0, 0, 0.3, 1, 1, 1, 1, 1, 1},
-                                      .points = {{0, 0}, {1, 3}, {2, -3}, {3, 4}, {5, 0}, {6, 2}, {4, 5}}});
-    const core::Curve rational = made({.degree = 3,
-                                       .knots = {0, 0, 0, 0, 1, 2, 2, 3, 3, 3, 3},
-                                       .points = {{0, 0}, {1, 3}, {2, -3}, {3, 4}, {5, 0}, {6, 2}, {4, 5}},
-                                       .weights = {1, 20, 0.05, 3, 1, 7, 2}});
+    const core::Curve quintic = core::made_curve({.degree = 5,
+                                                  .knots = {0, 0, 0, 0, 0, 0, 0.3, 1, 1, 1, 1, 1, 1},
+                                                  .points = {{0, 0}, {1, 3}, {2, -3}, {3, 4}, {5, 0}, {6, 2}, {4, 5}}});
+    const core::Curve rational = core::made_curve({.degree = 3,
+                                                   .knots = {0, 0, 0, 0, 1, 2, 2, 3, 3, 3, 3},
+                                                   .points = {{0, 0}, {1, 3}, {2, -3}, {3, 4}, {5, 0}, {6, 2}, {4, 5}},
+                                                   .weights = {1, 20, 0.05, 3, 1, 7, 2}});
     for (const core::Curve& curve : {quintic, rational}) {
         const PathPieces pieces = path_pieces(curve, 1e-3);
         EXPECT_LE(pieces.error, 1e-3);
@@ -153,10 +152,10 @@ TEST(PathPieces, FarFromTheOriginAreWithinTheirBoundRoundingAndAll) {
             }
             core::CurveDefinition moved = near;
             for (core::Point& point : moved.points) point += core::Vector(far, -far);
-            PathPieces pieces = path_pieces(made(moved), 1e-6 * size);
+            PathPieces pieces = path_pieces(core::made_curve(moved), 1e-6 * size);
             for (PathPiece& piece : pieces.pieces)
                 for (core::Point& point : piece.points) point -= core::Vector(far, -far);
-            EXPECT_LE(seen_error(made(near), pieces), pieces.error) << size << ' ' << degree;
+            EXPECT_LE(seen_error(core::made_curve(near), pieces), pieces.error) << size << ' ' << degree;
             EXPECT_LE(pieces.error, 1e-13 * far) << "which is not much more";
         }
 }
@@ -166,15 +165,15 @@ TEST(PathPieces, OfDegreeTwentyFiveAreWithinTheTolerance) {
     definition.knots.assign(26, 0.0);
     definition.knots.insert(definition.knots.end(), 26, 1.0);
     for (int i = 0; i <= 25; ++i) definition.points.push_back({i * 1.0, (i * 7 % 5) * 1.0});
-    const core::Curve curve = made(definition);
+    const core::Curve curve = core::made_curve(definition);
     const PathPieces pieces = path_pieces(curve, 1e-4);
     EXPECT_LE(pieces.error, 1e-4);
     EXPECT_LE(seen_error(curve, pieces), 1e-4);
 }
 
 TEST(PathPieces, OfAPeriodicCurveAreClosed) {
-    const core::Curve curve =
-        made({.degree = 3, .knots = {0, 1, 2, 3, 4.5}, .points = {{0, 0}, {2, 0}, {2, 2}, {0.1, 2}}, .periodic = true});
+    const core::Curve curve = core::made_curve(
+        {.degree = 3, .knots = {0, 1, 2, 3, 4.5}, .points = {{0, 0}, {2, 0}, {2, 2}, {0.1, 2}}, .periodic = true});
     const PathPieces pieces = path_pieces(curve, 1e-3);
     EXPECT_EQ(pieces.pieces.size(), 4u);
     EXPECT_EQ(pieces.error, 0.0);
@@ -182,10 +181,10 @@ TEST(PathPieces, OfAPeriodicCurveAreClosed) {
 }
 
 TEST(PathPieces, BeginAnewWhereTheCurveComesApart) {
-    const core::Curve torn = made({.degree = 1,
-                                   .knots = {0, 0, 1, 1, 2, 2},
-                                   .points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
-                                   .tears = core::Tears::allow});
+    const core::Curve torn = core::made_curve({.degree = 1,
+                                               .knots = {0, 0, 1, 1, 2, 2},
+                                               .points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
+                                               .tears = core::Tears::allow});
     const PathPieces pieces = path_pieces(torn, 1e-3);
     ASSERT_EQ(pieces.pieces.size(), 2u);
     EXPECT_TRUE(pieces.pieces[1].is_first);
@@ -200,7 +199,7 @@ TEST(PathPieces, OfTenThousandRationalPiecesTakeNoTime) {
         definition.knots.push_back(i);
     }
     for (int i = 0; i < 4; ++i) definition.knots.push_back(10000.0 + i);
-    const PathPieces pieces = path_pieces(made(std::move(definition)), 1e-4);
+    const PathPieces pieces = path_pieces(core::made_curve(std::move(definition)), 1e-4);
     EXPECT_LE(pieces.error, 1e-4);
     EXPECT_LT(pieces.pieces.size(), 40000u);
 }
@@ -208,10 +207,11 @@ TEST(PathPieces, OfTenThousandRationalPiecesTakeNoTime) {
 TEST(PathPieces, EndForHugeAndTinyNumbersAndCusps) {
     const std::vector<double> weights{1, 1e-300, 1e300, 1, 2};
     for (const double size : {1e300, 1e-300, 1.0}) {
-        const core::Curve curve = made({.degree = 4,
-                                        .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1},
-                                        .points = {{0, 0}, {size, size}, {-size, size}, {size, 0}, {0, size}},
-                                        .weights = weights});
+        const core::Curve curve =
+            core::made_curve({.degree = 4,
+                              .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1},
+                              .points = {{0, 0}, {size, size}, {-size, size}, {size, 0}, {0, size}},
+                              .weights = weights});
         const PathPieces pieces = path_pieces(curve, 1e-3 * size);
         EXPECT_LT(pieces.pieces.size(), 200u) << size;
         EXPECT_LE(pieces.error, 1e-3 * size) << size;
@@ -224,16 +224,17 @@ TEST(PathPieces, EndForHugeAndTinyNumbersAndCusps) {
         EXPECT_LT(nearest, 1e-3 * size);
     }
     // Sums of coordinates and weights are beyond doubles.
-    const core::Curve beyond = made({.degree = 4,
-                                     .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1},
-                                     .points = {{0, 0}, {8.9e307, 0}, {8.9e307, 8.9e307}, {0, 8.9e307}, {-8.9e307, 0}},
-                                     .weights = {1, 1e100, 1e200, 1e300, 1e308}});
+    const core::Curve beyond =
+        core::made_curve({.degree = 4,
+                          .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1},
+                          .points = {{0, 0}, {8.9e307, 0}, {8.9e307, 8.9e307}, {0, 8.9e307}, {-8.9e307, 0}},
+                          .weights = {1, 1e100, 1e200, 1e300, 1e308}});
     const PathPieces rough = path_pieces(beyond, 1e300);
     EXPECT_LE(rough.error, 1e300);
     EXPECT_GT(rough.error, 0.0);
     for (const PathPiece& piece : rough.pieces)
         for (const core::Point point : piece.control_points()) EXPECT_TRUE(core::is_finite(point));
-    const core::Curve cusp = made(
+    const core::Curve cusp = core::made_curve(
         {.degree = 4, .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, .points = {{0, 0}, {1, 1}, {0.5, 1}, {0, 1}, {1, 0}}});
     const PathPieces pieces = path_pieces(cusp, 1e-6);
     EXPECT_LE(pieces.error, 1e-6);
@@ -242,18 +243,18 @@ TEST(PathPieces, EndForHugeAndTinyNumbersAndCusps) {
 
 // Weights from a thousandth to a thousand: the bound is as near to what is seen as asked for, and is not exceeded.
 TEST(PathPieces, OfWildWeightsAreWithinTheTolerance) {
-    const core::Curve curve = made({.degree = 4,
-                                    .knots = {0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5, 5},
-                                    .points = {{-3.2, -2.2},
-                                               {3.1, 1.4},
-                                               {3.1, -1.5},
-                                               {-3.7, -2.1},
-                                               {2.9, -2.3},
-                                               {-1.5, -0.8},
-                                               {-0.8, -0.9},
-                                               {4.2, -3.4},
-                                               {-5, 4.4}},
-                                    .weights = {0.001, 1000, 1, 1, 1000, 0.001, 1, 5, 1}});
+    const core::Curve curve = core::made_curve({.degree = 4,
+                                                .knots = {0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5, 5},
+                                                .points = {{-3.2, -2.2},
+                                                           {3.1, 1.4},
+                                                           {3.1, -1.5},
+                                                           {-3.7, -2.1},
+                                                           {2.9, -2.3},
+                                                           {-1.5, -0.8},
+                                                           {-0.8, -0.9},
+                                                           {4.2, -3.4},
+                                                           {-5, 4.4}},
+                                                .weights = {0.001, 1000, 1, 1, 1000, 0.001, 1, 5, 1}});
     for (const double tolerance : {1e-2, 1e-5}) {
         const PathPieces pieces = path_pieces(curve, tolerance);
         EXPECT_LE(pieces.error, tolerance);
@@ -269,8 +270,8 @@ TEST(PathPieces, OfWildWeightsAreWithinTheTolerance) {
 }
 
 TEST(PathPieces, EndWhereRoundingDoes) {
-    const core::Curve arc =
-        made({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{1, 0}, {1, 1}, {0, 1}}, .weights = {1, 3, 1}});
+    const core::Curve arc = core::made_curve(
+        {.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{1, 0}, {1, 1}, {0, 1}}, .weights = {1, 3, 1}});
     for (const double tolerance : {1e-300, std::nan("")}) {
         const PathPieces pieces = path_pieces(arc, tolerance);
         EXPECT_LT(pieces.pieces.size(), 2000u);
@@ -286,7 +287,7 @@ TEST(PathPieces, AreBounded) {
         definition.weights.push_back(1.0 + i % 3);
     }
     for (int i = 0; i < 103; ++i) definition.knots.push_back(i);
-    const core::Curve curve = made(std::move(definition));
+    const core::Curve curve = core::made_curve(std::move(definition));
     EXPECT_EQ(path_pieces(curve, 1e-9, Arcs::as_cubics, 200).pieces.size(), 298u);
     EXPECT_EQ(path_pieces(curve, 1e-9, Arcs::as_cubics, 0).pieces.size(), 98u);
     EXPECT_GT(path_pieces(curve, 1e-9, Arcs::as_cubics, 200).error, 1e-9);
@@ -309,10 +310,10 @@ TEST(PathPieces, AreArcsOnRequest) {
 // Where doubles are 1/8 apart no one knows that this conic is no circle, but how far it may be from one.
 TEST(PathPieces, TellWhatRoundingHidesOfArcs) {
     const double far = 1e15;
-    const core::Curve conic = made({.degree = 2,
-                                    .knots = {0, 0, 0, 1, 1, 1},
-                                    .points = {{far, far}, {far + 1, far}, {far + 1, far + 1}},
-                                    .weights = {1, 0.5, 1}});
+    const core::Curve conic = core::made_curve({.degree = 2,
+                                                .knots = {0, 0, 0, 1, 1, 1},
+                                                .points = {{far, far}, {far + 1, far}, {far + 1, far + 1}},
+                                                .weights = {1, 0.5, 1}});
     const PathPieces pieces = path_pieces(conic, 1e-3, Arcs::as_arcs);
     EXPECT_EQ(pieces.pieces[0].degree, 3) << "0.7 would be a circle";
     const core::Curve circle = core::circle({1e9, 1e9}, 2.0).value();
@@ -324,25 +325,26 @@ TEST(PathPieces, TellWhatRoundingHidesOfArcs) {
 
 TEST(PathPieces, CloseWhereTheyEndBitEqual) {
     // Fourths of thirds, whose end over the seam is rounded otherwise than the start.
-    const core::Curve periodic = made({.degree = 3,
-                                       .knots = {0, 1, 2, 3, 4, 5},
-                                       .points = {{0.1, 0.3}, {2.7, 0.1}, {2.2, 2.9}, {0.1, 2.3}, {-1.7, 1.1}},
-                                       .periodic = true});
+    const core::Curve periodic =
+        core::made_curve({.degree = 3,
+                          .knots = {0, 1, 2, 3, 4, 5},
+                          .points = {{0.1, 0.3}, {2.7, 0.1}, {2.2, 2.9}, {0.1, 2.3}, {-1.7, 1.1}},
+                          .periodic = true});
     const PathPieces closed = path_pieces(periodic, 1e-3);
     EXPECT_TRUE(closed.pieces.back().closes);
     EXPECT_EQ(closed.pieces.back().end(), closed.pieces.front().start());
-    const core::Curve clamped =
-        made({.degree = 2, .knots = {0, 0, 0, 1, 1, 2, 2, 2}, .points = {{0, 0}, {1, 2}, {2, 0}, {1, -2}, {0, 0}}});
+    const core::Curve clamped = core::made_curve(
+        {.degree = 2, .knots = {0, 0, 0, 1, 1, 2, 2, 2}, .points = {{0, 0}, {1, 2}, {2, 0}, {1, -2}, {0, 0}}});
     EXPECT_FALSE(path_pieces(clamped, 1e-3).pieces[0].closes);
     EXPECT_TRUE(path_pieces(clamped, 1e-3).pieces[1].closes);
 }
 
 // Two triangles, the first of which ends where it began, and a curve that only touches itself at its tear.
 TEST(PathPieces, AreJoinedAndClosedRunByRun) {
-    const core::Curve torn = made({.degree = 1,
-                                   .knots = {0, 0, 1, 2, 3, 3, 4, 5, 5},
-                                   .points = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {5, 5}, {6, 5}, {6, 7}},
-                                   .tears = core::Tears::allow});
+    const core::Curve torn = core::made_curve({.degree = 1,
+                                               .knots = {0, 0, 1, 2, 3, 3, 4, 5, 5},
+                                               .points = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {5, 5}, {6, 5}, {6, 7}},
+                                               .tears = core::Tears::allow});
     const PathPieces pieces = path_pieces(torn, 1e-3);
     ASSERT_EQ(pieces.pieces.size(), 5u);
     std::string marks;
@@ -351,20 +353,20 @@ TEST(PathPieces, AreJoinedAndClosedRunByRun) {
         marks += piece.closes ? 'Z' : '-';
     }
     EXPECT_EQ(marks, "M----ZM---");
-    const core::Curve whole = made({.degree = 1,
-                                    .knots = {0, 0, 1, 1, 2, 2},
-                                    .points = {{0, 0}, {1, 0}, {1, 0}, {2, 1}},
-                                    .tears = core::Tears::allow});
+    const core::Curve whole = core::made_curve({.degree = 1,
+                                                .knots = {0, 0, 1, 1, 2, 2},
+                                                .points = {{0, 0}, {1, 0}, {1, 0}, {2, 1}},
+                                                .tears = core::Tears::allow});
     EXPECT_FALSE(path_pieces(whole, 1e-3).pieces[1].is_first);
 }
 
 // Differences of points are beyond doubles.
 TEST(PathPieces, OfPointsTooFarApartAreNotExact) {
-    const core::Curve curve =
-        made({.degree = 3,
-              .knots = {0, 1, 2, 3, 4, 5},
-              .points = {{1.7e308, 0}, {-1.7e308, 1.7e308}, {-1.7e308, -1.7e308}, {1.7e308, -1e308}, {0, 1.7e308}},
-              .periodic = true});
+    const core::Curve curve = core::made_curve(
+        {.degree = 3,
+         .knots = {0, 1, 2, 3, 4, 5},
+         .points = {{1.7e308, 0}, {-1.7e308, 1.7e308}, {-1.7e308, -1.7e308}, {1.7e308, -1e308}, {0, 1.7e308}},
+         .periodic = true});
     EXPECT_EQ(path_pieces(curve, 1e300).error, HUGE_VAL);
 }
 

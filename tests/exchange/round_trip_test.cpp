@@ -6,6 +6,7 @@
 #include "core/evaluate/evaluate.h"
 #include "exchange/format.h"
 #include "exchange/written_curves.h"
+#include "tests/core/point_at_share.h"
 #include "tests/exchange/carried_curves.h"
 
 namespace batten::exchange {
@@ -34,11 +35,6 @@ Carried carried(const core::Document& document, Format format) {
     if (!read) return {};
     const double error = written->report.largest_error + read->report.largest_error;
     return {*std::move(read), error};
-}
-
-core::Point at_share(const core::Curve& curve, double share) {
-    const core::Interval domain = curve.domain();
-    return core::point_at(curve, domain.lower + share * (domain.upper - domain.lower));
 }
 
 // Points of both at the same parameters, as near as the error that was stated and the rounding of evaluation.

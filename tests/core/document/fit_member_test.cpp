@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/make/through_points.h"
+#include "tests/core/document/replaced.h"
 
 namespace batten::core {
 namespace {
@@ -26,13 +27,7 @@ std::string text_of(const FitPoints& fit) {
     return format_document(document);
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from << " in " << text;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-std::string error_of(const std::string& text) {
+std::string error_text_of(const std::string& text) {
     const auto document = parse_document(text);
     return document ? "none" : document.error().where + ": " + document.error().what;
 }
@@ -95,26 +90,28 @@ TEST(FitMember, of_another_curve_is_left_out) {
 }
 
 TEST(FitMember, says_what_is_wrong_and_where) {
-    EXPECT_EQ(error_of(replaced(small, "\"c2\"", "\"c3\"")),
+    EXPECT_EQ(error_text_of(replaced(small, "\"c2\"", "\"c3\"")),
               "/curves/0/fit/kind: found \"c3\", but it must be \"c2\", \"local\" or \"fair\"");
-    EXPECT_EQ(error_of(replaced(small, "{\"kind\": \"c2\", ", "{")), "/curves/0/fit: the member \"kind\" is missing");
-    EXPECT_EQ(error_of(replaced(small, "[0,3]}", "[0,3], \"joints\": [\"smooth\"]}")),
+    EXPECT_EQ(error_text_of(replaced(small, "{\"kind\": \"c2\", ", "{")),
+              "/curves/0/fit: the member \"kind\" is missing");
+    EXPECT_EQ(error_text_of(replaced(small, "[0,3]}", "[0,3], \"joints\": [\"smooth\"]}")),
               "/curves/0/fit/joints: one item was found; there must be 2, one for each point");
-    EXPECT_EQ(error_of(replaced(small, "[0,3]}", "[0,3], \"joints\": [\"smooth\", \"round\"]}")),
+    EXPECT_EQ(error_text_of(replaced(small, "[0,3]}", "[0,3], \"joints\": [\"smooth\", \"round\"]}")),
               "/curves/0/fit/joints/1: found \"round\", but it must be \"smooth\", \"tangent\", \"corner\", "
               "\"straight\" or \"corner-straight\"");
-    EXPECT_EQ(error_of(replaced(small, "[0,3]}", "[0,3], \"handles\": [[0,0],[1]]}")),
+    EXPECT_EQ(error_text_of(replaced(small, "[0,3]}", "[0,3], \"handles\": [[0,0],[1]]}")),
               "/curves/0/fit/handles/1: found a list of one item, but it must be a list of two numbers, x and y");
-    EXPECT_EQ(error_of(replaced(small, "[0,3]}", "[0,0]}")),
+    EXPECT_EQ(error_text_of(replaced(small, "[0,3]}", "[0,0]}")),
               "/curves/0/fit/parameters/1: parameter 1 is not above the one before it; parameters must be finite and "
               "increase from point to point");
-    EXPECT_EQ(error_of(replaced(small, "[0,3]}", "[0,1,3]}")),
+    EXPECT_EQ(error_text_of(replaced(small, "[0,3]}", "[0,1,3]}")),
               "/curves/0/fit/parameters: 3 parameters were found; 2 are needed, one for each point, and one more for "
               "the way back to the first point of a closed curve");
-    EXPECT_EQ(error_of(replaced(small, "[[0,0],[3,0]]", "[[0,0]]")),
+    EXPECT_EQ(error_text_of(replaced(small, "[[0,0],[3,0]]", "[[0,0]]")),
               "/curves/0/fit/points: one point was found; at least 2 are needed");
-    EXPECT_EQ(error_of(replaced(small, "{\"kind\": \"c2\", \"points\": [[0,0],[3,0]], \"parameters\": [0,3]}", "7")),
-              "/curves/0/fit: found 7, but it must be an object");
+    EXPECT_EQ(
+        error_text_of(replaced(small, "{\"kind\": \"c2\", \"points\": [[0,0],[3,0]], \"parameters\": [0,3]}", "7")),
+        "/curves/0/fit: found 7, but it must be an object");
 }
 
 }  // namespace batten::core

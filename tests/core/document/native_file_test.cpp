@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "tests/core/document/random_document.h"
+#include "tests/core/document/replaced.h"
 
 namespace batten::core {
 namespace {
@@ -42,12 +43,6 @@ std::string file_of(const std::string& curve_members) {
 }
 
 const std::string plain_members = R"("degree": 2, "knots": [0,0,0,1,1,1], "points": [[0,0],[1,2],[2,0]])";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-}
 
 FileError error_of(const std::string& text) {
     const auto document = parse_document(text);

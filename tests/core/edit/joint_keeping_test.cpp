@@ -7,6 +7,7 @@
 
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
+#include "tests/core/made_curve.h"
 #include "tests/core/near_points.h"
 
 namespace batten::core {
@@ -14,13 +15,9 @@ namespace {
 
 using Points = std::vector<Point>;
 
-Curve made(CurveDefinition definition) {
-    return Curve::make(std::move(definition)).value();
-}
-
 /// Two cubic Bézier pieces that meet at u = 1.
 Curve two_pieces(Points points) {
-    return made({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, .points = std::move(points)});
+    return made_curve({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, .points = std::move(points)});
 }
 
 KeptJoint at_knot(double u, int level, std::size_t curve = 0) {
@@ -168,9 +165,9 @@ TEST(KeepJoints, is_lost_where_the_curve_stands_still) {
 
 TEST(KeepJoints, ends_of_two_curves_stay_together) {
     const Curve first =
-        made({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{-6, 0}, {-5, 3}, {-1, 0}, {0, 0}}});
+        made_curve({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{-6, 0}, {-5, 3}, {-1, 0}, {0, 0}}});
     // Runs toward the joint, too.
-    const Curve second = made({.degree = 2, .knots = {0, 0, 0, 4, 4, 4}, .points = {{6, 3}, {2, 0}, {0, 0}}});
+    const Curve second = made_curve({.degree = 2, .knots = {0, 0, 0, 4, 4, 4}, .points = {{6, 3}, {2, 0}, {0, 0}}});
     const KeptJoint joint{{0, 1, Side::left}, {1, 4, Side::left}, 2};
     const Curve moved = with_point(first, 3, {0.1, 1.0 / 3.0});
     const KeptJoints kept = keep_joints({edited(first, moved), edited(second, second)}, {joint});
@@ -195,9 +192,9 @@ TEST(KeepJoints, ends_of_two_curves_stay_together) {
 
 TEST(KeepJoints, of_one_simple_knot_less_only_the_curvature_is_mended) {
     // A double knot of a cubic: C1 by its knots.
-    const Curve old = made({.degree = 3,
-                            .knots = {0, 0, 0, 0, 1, 1, 2, 2, 2, 2},
-                            .points = {{0, 0}, {1, 2}, {3, 3}, {5, 3}, {7, 2}, {8, 0}}});
+    const Curve old = made_curve({.degree = 3,
+                                  .knots = {0, 0, 0, 0, 1, 1, 2, 2, 2, 2},
+                                  .points = {{0, 0}, {1, 2}, {3, 3}, {5, 3}, {7, 2}, {8, 0}}});
     KeptJoint joint = at_knot(1, 2);
     joint.is_new = true;
     const Curve start = keep_joints({edited(old, old)}, {joint}).curves.front();
@@ -213,10 +210,10 @@ TEST(KeepJoints, of_one_simple_knot_less_only_the_curvature_is_mended) {
 }
 
 TEST(KeepJoints, the_seam_of_a_periodic_curve_is_a_knot) {
-    const Curve old = made({.degree = 2,
-                            .knots = {0, 0, 1, 1, 2, 2, 3},
-                            .points = {{4, 0}, {4, 4}, {0, 4}, {-4, 4}, {-4, 0}, {0, -4}},
-                            .periodic = true});
+    const Curve old = made_curve({.degree = 2,
+                                  .knots = {0, 0, 1, 1, 2, 2, 3},
+                                  .points = {{4, 0}, {4, 4}, {0, 4}, {-4, 4}, {-4, 0}, {0, -4}},
+                                  .periodic = true});
     std::size_t before = 0;
     for (std::size_t i = 0; i < 6; ++i)
         if (old.control_points()[i] == point_at(old, 0)) before = i;
@@ -229,7 +226,7 @@ TEST(KeepJoints, the_seam_of_a_periodic_curve_is_a_knot) {
 }
 
 TEST(KeepJoints, a_polyline_keeps_a_vertex_straight) {
-    const Curve old = made({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{-1, 0}, {0, 0}, {3, 0}}});
+    const Curve old = made_curve({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{-1, 0}, {0, 0}, {3, 0}}});
     const Curve kept = kept_alone(old, with_point(old, 2, {0, 2}), 2);
     EXPECT_EQ(kept.control_points()[1], Point(0, 0));
     expect_near(kept.control_points()[0], {0, -1});
@@ -266,7 +263,7 @@ class RandomJoints {
 Curve seen_from(const Curve& curve, Point origin) {
     CurveDefinition definition = curve.definition();
     for (Point& point : definition.points) point = core::seen_from(point, origin);
-    return made(std::move(definition));
+    return made_curve(std::move(definition));
 }
 
 TEST(KeepJoints, of_random_curves_all_stay_through_random_edits) {
@@ -278,7 +275,7 @@ TEST(KeepJoints, of_random_curves_all_stay_through_random_edits) {
             for (const int count : {3, 4})
                 for (const double away : {0.0, 1e6}) {
                     const int multiplicity = degree - static_cast<int>(random.below(level == 2 && degree > 2 ? 2 : 1));
-                    Curve curve = made(random.pieces(degree, multiplicity, count, {away, away}));
+                    Curve curve = made_curve(random.pieces(degree, multiplicity, count, {away, away}));
                     std::vector<KeptJoint> joints;
                     for (const double u : curve.knots().values())
                         if (0.0 < u && u < count && (joints.empty() || joints.back().before.u != u)) {
@@ -314,7 +311,7 @@ TEST(KeepJoints, of_random_curves_all_stay_through_random_edits) {
 
 TEST(KeepJoints, a_thousand_joints_far_away_keep_every_bit) {
     RandomJoints random;
-    Curve curve = made(random.pieces(3, 3, 1001, {}));
+    Curve curve = made_curve(random.pieces(3, 3, 1001, {}));
     std::vector<KeptJoint> joints;
     for (const double u : curve.knots().values())
         if (0.0 < u && u < 1001 && (joints.empty() || joints.back().before.u != u)) joints.push_back(at_knot(u, 2));

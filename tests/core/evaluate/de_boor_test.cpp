@@ -10,7 +10,7 @@ namespace batten::core {
 
 namespace {
 
-Curve lecture_cubic() {
+Curve example_wave() {
     return Curve::make(
                {.degree = 3,
                 .knots = {0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1},
@@ -22,7 +22,7 @@ Curve lecture_cubic() {
 }  // namespace
 
 TEST(DeBoor, triangle_of_the_lecture_notes) {
-    const DeBoorTriangle triangle = de_boor_triangle(lecture_cubic(), 0.4);
+    const DeBoorTriangle triangle = de_boor_triangle(example_wave(), 0.4);
     EXPECT_EQ(triangle.span, 4u);
     ASSERT_EQ(triangle.levels.size(), 4u);
     const std::vector<std::vector<double>> alphas{{0.8, 8.0 / 15, 0.2}, {0.8, 0.3}, {0.6}};
@@ -108,7 +108,7 @@ TEST(DeBoor, casteljau_has_one_alpha_throughout) {
 }
 
 TEST(DeBoor, casteljau_is_for_one_bezier_piece_only) {
-    EXPECT_EQ(de_casteljau_triangle(lecture_cubic(), 0.4).error().code, CurveErrorCode::curve_not_polynomial_piece);
+    EXPECT_EQ(de_casteljau_triangle(example_wave(), 0.4).error().code, CurveErrorCode::curve_not_polynomial_piece);
     const Curve unclamped = Curve::make({.degree = 1, .knots = {0, 1, 2, 3}, .points = {{0, 0}, {1, 2}}}).value();
     EXPECT_EQ(de_casteljau_triangle(unclamped, 1.5).error().code, CurveErrorCode::curve_not_polynomial_piece);
 }

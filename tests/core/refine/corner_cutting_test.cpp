@@ -8,6 +8,7 @@
 #include "core/refine/knot_removal.h"
 #include "tests/core/golden.h"
 #include "tests/core/golden_cases.h"
+#include "tests/core/lecture_cubic.h"
 #include "tests/core/random_curves.h"
 #include "tests/core/reference.h"
 
@@ -15,13 +16,6 @@ namespace batten::core {
 namespace {
 
 // Knot insertion as the lecture has it: u = 1/2 gives alpha = 5/6, 1/2, 1/6.
-Curve lecture_cubic() {
-    return Curve::make({.degree = 3,
-                        .knots = {0, 0, 0, 0, 0.2, 0.4, 0.6, 0.8, 1, 1, 1, 1},
-                        .points = {{0, 0}, {0, 6}, {6, 6}, {6, 0}, {12, 0}, {12, 6}, {18, 6}, {18, 0}}})
-        .value();
-}
-
 template <class T>
 CurveErrorCode code_of(const Result<T>& cutting) {
     EXPECT_FALSE(cutting);

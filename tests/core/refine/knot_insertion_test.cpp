@@ -6,19 +6,13 @@
 
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
+#include "tests/core/lecture_cubic.h"
 #include "tests/core/random_curves.h"
 #include "tests/core/reference.h"
 
 namespace batten::core {
 
 namespace {
-
-Curve lecture_cubic() {
-    return Curve::make({.degree = 3,
-                        .knots = {0, 0, 0, 0, 0.2, 0.4, 0.6, 0.8, 1, 1, 1, 1},
-                        .points = {{0, 0}, {0, 6}, {6, 6}, {6, 0}, {12, 0}, {12, 6}, {18, 6}, {18, 0}}})
-        .value();
-}
 
 double largest_change(const Curve& before, const Curve& after, RandomCurves& random) {
     double largest = 0.0;

@@ -7,6 +7,7 @@
 #include "core/measure/continuity.h"
 #include "core/measure/nearest.h"
 #include "core/refine/reverse.h"
+#include "tests/core/point_at_share.h"
 #include "tests/core/shape/shapes_to_combine.h"
 
 namespace batten::core {
@@ -22,10 +23,6 @@ double distance_to(const std::vector<Curve>& curves, Point place) {
     double least = Box::infinity;
     for (const Curve& curve : curves) least = std::min(least, distance(nearest_point(curve, place).point, place));
     return least;
-}
-
-Point at_share(const Curve& curve, double share) {
-    return point_at(curve, curve.domain().lower + share * curve.domain().length());
 }
 
 // Every place of the result is at the distance from the source, within `near`.
