@@ -50,7 +50,7 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
 
 render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
     if (!item.color) return theme.curve;
-    return {item.color->red, item.color->green, item.color->blue, 255};
+    return seen_on_canvas({item.color->red, item.color->green, item.color->blue, 255}, theme);
 }
 
 render::Color color_of_other(const core::DocumentCurve& item, const Theme& theme) {

@@ -5,7 +5,7 @@
 
 namespace batten::editor {
 
-/// The color of a curve, its own or that of the theme.
+/// The color of a curve, its own, where it is seen on the canvas, or that of the theme.
 render::Color color_of(const core::DocumentCurve& item, const Theme& theme);
 
 /// The color of a curve that is not the active one: dimmer, and more so where it is locked.

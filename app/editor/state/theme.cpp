@@ -1,5 +1,9 @@
 #include "app/editor/state/theme.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 namespace batten::editor {
 
 namespace {
@@ -98,6 +102,14 @@ Theme light_contrast_theme() {
     return theme;
 }
 
+double luminance(render::Color color) {
+    const auto linear = [](std::uint8_t part) {
+        const double share = part / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+}
+
 }  // namespace
 
 render::Color Theme::point_text(std::size_t i) const {
@@ -118,6 +130,20 @@ Theme theme_of(ThemeName name) {
 
 Theme high_contrast(ThemeName name) {
     return name == ThemeName::dark ? dark_contrast_theme() : light_contrast_theme();
+}
+
+double contrast(render::Color a, render::Color b) {
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+render::Color seen_on_canvas(render::Color color, const Theme& theme) {
+    constexpr double contrast_of_line = 3.0;
+    constexpr int steps = 20;
+    render::Color seen = color;
+    for (int k = 1; k <= steps && contrast(seen, theme.canvas) < contrast_of_line; ++k)
+        seen = render::blended(theme.text, static_cast<double>(k) / steps, color);
+    return seen;
 }
 
 }  // namespace batten::editor

@@ -38,6 +38,12 @@ Theme theme_of(ThemeName name);
 /// The same for a projector, which washes colors out: a text has a contrast of at least 7:1, a line 4.5:1.
 Theme high_contrast(ThemeName name);
 
+/// The contrast of two opaque colors, from 1 to 21, as WCAG 2.1 has it.
+double contrast(render::Color a, render::Color b);
+
+/// `color`, or what is nearest to it on the way to the color of texts and has a contrast of 3:1 with the canvas.
+render::Color seen_on_canvas(render::Color color, const Theme& theme);
+
 }  // namespace batten::editor
 
 namespace batten::core {

@@ -27,20 +27,6 @@ TEST(Theme, has_the_colors_of_the_look) {
     EXPECT_EQ(light.curve, rgb(0x10131A));
 }
 
-/// Of WCAG 2.1: 21 for black on white, 1 for equal colors.
-double luminance(render::Color color) {
-    const auto linear = [](std::uint8_t part) {
-        const double share = part / 255.0;
-        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
-}
-
-double contrast(render::Color a, render::Color b) {
-    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
-    return (lighter + 0.05) / (darker + 0.05);
-}
-
 double distance(render::Color a, render::Color b) {
     return std::hypot(a.red - b.red, a.green - b.green, a.blue - b.blue);
 }
@@ -54,6 +40,22 @@ TEST(Theme, contrast_is_that_of_known_pairs) {
     EXPECT_NEAR(contrast(rgb(0x000000), rgb(0xFFFFFF)), 21.0, 1e-12);
     EXPECT_NEAR(contrast(rgb(0x767676), rgb(0xFFFFFF)), 4.54, 0.005);
     EXPECT_NEAR(contrast(rgb(0xD9C93B), rgb(0xF1F3F7)), 1.53, 0.005);
+}
+
+TEST(Theme, colors_of_curves_are_seen_on_every_canvas) {
+    for (const ThemeName name : {ThemeName::dark, ThemeName::light}) {
+        const Theme theme = theme_of(name);
+        for (const render::Color color : {rgb(0x000000), rgb(0xFFFFFF), rgb(0x14181F), rgb(0xFFFF00), rgb(0x000080)}) {
+            EXPECT_GE(contrast(seen_on_canvas(color, theme), theme.canvas), 3.0);
+            if (contrast(color, theme.canvas) >= 3.0) {
+                EXPECT_EQ(seen_on_canvas(color, theme), color);
+            }
+        }
+    }
+    // Yellow stays yellow where it has to be darker.
+    const render::Color yellow = seen_on_canvas(rgb(0xFFFF00), theme_of(ThemeName::light));
+    EXPECT_GT(yellow.red, yellow.blue + 40);
+    EXPECT_GT(yellow.green, yellow.blue + 40);
 }
 
 /// The themes with what their texts and their lines must have.
