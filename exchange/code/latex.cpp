@@ -14,8 +14,10 @@ namespace {
 // A decimal of so few characters is read more easily than a fraction.
 constexpr std::size_t short_decimal = 5;
 
-// So many rows, with fractions in them, fit on a page of any of the usual classes and sizes of letters.
-constexpr std::size_t rows_of_table = 30;
+// Of a page of any of the usual classes and sizes of letters: rows with fractions in them that fill it, and that fill
+// half of it.
+constexpr std::size_t rows_of_page = 30;
+constexpr std::size_t rows_of_half_page = 14;
 
 // A line may end behind each knot.
 constexpr const char* between_knots = ",\\allowbreak ";
@@ -32,7 +34,7 @@ std::string power_text(const std::string& number) {
 }
 
 std::string latex_number(double value) {
-    const std::string decimal = core::shortest_text(value);
+    const std::string decimal = core::shortest_text(value == 0.0 ? 0.0 : value);  // a paper has one zero
     const auto fraction = core::small_fraction(value);
     if (decimal.size() <= short_decimal || !fraction || fraction->value() != value) return power_text(decimal);
     return fmt::format("{}\\tfrac{{{}}}{{{}}}", fraction->numerator < 0 ? "-" : "", std::abs(fraction->numerator),
@@ -59,6 +61,7 @@ std::string table_text(const core::Curve& curve, std::size_t begin, std::size_t 
     for (std::size_t i = begin; i < end; ++i)
         rows += row_text(i, curve.control_points()[i], rational ? &curve.weights()[i] : nullptr);
     return fmt::format(R"(\[
+\renewcommand{{\arraystretch}}{{1.2}}
 \begin{{array}}{{{columns}}}
   i & x_i & y_i{weight} \\ \hline
 {rows}\end{{array}}
@@ -68,12 +71,13 @@ std::string table_text(const core::Curve& curve, std::size_t begin, std::size_t 
                        fmt::arg("rows", rows));
 }
 
-// Tables of the control points, between which a page may end.
+// Tables of the control points, between which a page may end, and so short that little of it stays empty.
 std::string tables_text(const core::Curve& curve) {
     const std::size_t count = curve.control_points().size();
+    const std::size_t rows = count <= rows_of_page ? count : rows_of_half_page;
     std::string tables;
-    for (std::size_t begin = 0; begin < count; begin += rows_of_table)
-        tables += table_text(curve, begin, std::min(begin + rows_of_table, count));
+    for (std::size_t begin = 0; begin < count; begin += rows)
+        tables += table_text(curve, begin, std::min(begin + rows, count));
     return tables;
 }
 
