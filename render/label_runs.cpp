@@ -6,6 +6,18 @@ namespace batten::render {
 
 namespace {
 
+constexpr double script_shift = 0.3;
+constexpr double deep_shift = 0.38;  // of stacked ones, where the upper one would reach into the lower one
+
+double shift_of(Script script, double size) {
+    return script == Script::none ? 0.0 : script == Script::sub ? size : -size;
+}
+
+/// Whether a part of it is below the line on which letters stand.
+bool is_deep(std::string_view script) {
+    return script.find_first_of("()[]|,;gjpqy") != std::string_view::npos;
+}
+
 bool starts_script(std::string_view text) {
     return text.starts_with("_{") || text.starts_with("^{");
 }
@@ -34,6 +46,11 @@ std::vector<LabelRun> label_runs(std::string_view text) {
         LabelRun run = take_run(text);
         run.is_stacked = last != Script::none && run.script != Script::none && run.script != last;
         last = run.is_stacked ? Script::none : run.script;
+        run.shift = shift_of(run.script, script_shift);
+        if (run.is_stacked && is_deep(run.script == Script::super ? run.text : runs.back().text)) {
+            run.shift = shift_of(run.script, deep_shift);
+            runs.back().shift = -run.shift;
+        }
         runs.push_back(run);
     }
     return runs;

@@ -163,13 +163,13 @@ class SvgPainter {
 
     void write(const Label& label, const LabelRun& run, Line& line) {
         const bool is_script = run.script != Script::none;
-        const double wanted = !is_script ? 0.0 : run.script == Script::sub ? script_shift : -script_shift;
         const double size = (is_script ? script_size : 1.0) * label.size_px;
         const double width = is_script ? text_width(run.text, size, label.font) : 0.0;
         if (run.is_stacked) line.lead -= line.script_width;
-        write_run(run, {.shift = (wanted - line.shift) * label.size_px, .script_width = 0.0, .lead = line.lead}, size);
+        write_run(run, {.shift = (run.shift - line.shift) * label.size_px, .script_width = 0.0, .lead = line.lead},
+                  size);
         // What follows two scripts begins behind the wider one.
-        line = {wanted, width, run.is_stacked ? std::max(0.0, line.script_width - width) : 0.0};
+        line = {run.shift, width, run.is_stacked ? std::max(0.0, line.script_width - width) : 0.0};
     }
 
     void write_run(const LabelRun& run, const Line& moved, double size) {

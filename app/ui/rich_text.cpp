@@ -42,9 +42,7 @@ float lay_out(const std::string& text, ImFont* font, float size_px, const Visit&
         const bool is_script = run.script != render::Script::none;
         ImFont* run_font = is_script ? script_font : font;
         const float run_px = is_script ? script_px : size_px;
-        const auto shift =
-            static_cast<float>(run.script == render::Script::sub ? render::script_shift : -render::script_shift);
-        const float top = is_script ? 0.5F * (size_px - run_px) + shift * size_px : 0.0F;
+        const float top = is_script ? 0.5F * (size_px - run_px) + static_cast<float>(run.shift) * size_px : 0.0F;
         visit(run.text, run_font, run_px, start, top);
         end = std::max(end, start + run_width(run.text, run_font, run_px));
     }

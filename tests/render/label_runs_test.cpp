@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 namespace batten::render {
 namespace {
 
@@ -35,6 +38,21 @@ TEST(LabelRuns, stack_the_second_of_two_different_scripts) {
     expect_runs("x^{2}_{i}", {{"x", Script::none, false}, {"2", Script::super, false}, {"i", Script::sub, true}});
     expect_runs("x^{2}^{3}", {{"x", Script::none, false}, {"2", Script::super, false}, {"3", Script::super, false}});
     expect_runs("_{1}^{2}_{3}", {{"1", Script::sub, false}, {"2", Script::super, true}, {"3", Script::sub, false}});
+}
+
+TEST(LabelRuns, stand_farther_apart_where_the_upper_one_reaches_down) {
+    const auto shifts = [](const char* label) {
+        const std::vector<LabelRun> runs = label_runs(label);
+        return std::vector<double>{runs.at(0).shift, runs.at(1).shift, runs.at(2).shift};
+    };
+    EXPECT_EQ(shifts("P_{3}^{1}"), (std::vector<double>{0.0, 0.3, -0.3}));
+    for (const char* label : {"P_{i+1}^{(k)}", "P^{(k)}_{i+1}"}) {
+        const std::vector<double> found = shifts(label);
+        EXPECT_EQ(found[1], -found[2]) << label;
+        EXPECT_GT(std::abs(found[1]), 0.35) << label;
+        EXPECT_EQ(found[1] > 0.0, label[1] == '_') << label;
+    }
+    EXPECT_EQ(shifts("P^{(1)}x"), (std::vector<double>{0.0, -0.3, 0.0})) << "nothing stands below it";
 }
 
 TEST(LabelRuns, reach_to_the_end_of_a_text_that_lacks_it) {
