@@ -61,10 +61,6 @@ Role role_of(std::string_view sign) {
     return is_among(commas, sign) ? Role::comma : Role::ordinary;
 }
 
-bool is_letter(char sign) {
-    return ('a' <= sign && sign <= 'z') || ('A' <= sign && sign <= 'Z');
-}
-
 bool is_digit(char sign) {
     return '0' <= sign && sign <= '9';
 }
@@ -143,8 +139,8 @@ std::string whole(const Line& line) {
 /// Sets one group after another, each by a setter of its own.
 class FormulaSetter {
   public:
-    FormulaSetter(std::vector<std::string>& unknown, std::size_t depth, bool is_script)
-        : unknown_(unknown), depth_(depth), is_script_(is_script) {}
+    FormulaSetter(FormulaLabel& label, std::size_t depth, bool is_script)
+        : label_(label), depth_(depth), is_script_(is_script) {}
 
     Line line_of(std::string_view formula) {
         if (depth_ > most_depth) return {std::string(formula), formula.size()};
@@ -153,11 +149,18 @@ class FormulaSetter {
     }
 
   private:
+    /// What a fraction, a root, a font or a script is of.
+    std::string_view argument(std::string_view& rest) {
+        skip_blanks(rest);
+        label_.is_whole = label_.is_whole && !rest.empty();
+        return take_argument(rest);
+    }
+
     void set_first(std::string_view& rest) {
         if (rest.starts_with('\\')) return set_command(take_command(rest), rest);
         if (rest.starts_with('{')) return add(inner(take_argument(rest)));
         const std::string_view sign = take(rest, first_sign(rest).size());
-        if (sign == "_" || sign == "^") return set_script(sign.front(), take_argument(rest));
+        if (sign == "_" || sign == "^") return set_script(sign.front(), argument(rest));
         if (sign == "-") return add("−", Role::binary);
         if (sign == "'") return attach("′");
         const bool goes_on = is_digit(sign.front()) && !line_.text.empty() && last_ == Role::ordinary &&
@@ -166,7 +169,7 @@ class FormulaSetter {
         add(sign, role_of(sign));
     }
 
-    Line inner(std::string_view formula) { return FormulaSetter(unknown_, depth_ + 1, is_script_).line_of(formula); }
+    Line inner(std::string_view formula) { return FormulaSetter(label_, depth_ + 1, is_script_).line_of(formula); }
 
     void set_command(std::string_view name, std::string_view& rest) {
         if (const auto* space = std::ranges::find(spaces, name, &Space::command); space != spaces.end())
@@ -174,10 +177,10 @@ class FormulaSetter {
         if (is_among(left_out, name)) return skip_size(rest);
         if (is_among(fractions, name)) return set_fraction(rest);
         if (name == "sqrt") return set_root(rest);
-        if (name == "mathbb") return set_blackboard(take_argument(rest));
-        if (is_among(fonts, name)) return add(inner(take_argument(rest)));
-        if (is_among(texts, name)) return add(take_argument(rest), Role::ordinary);
-        if (name == "operatorname") return add(inner(take_argument(rest)).text, Role::named);
+        if (name == "mathbb") return set_blackboard(argument(rest));
+        if (is_among(fonts, name)) return add(inner(argument(rest)));
+        if (is_among(texts, name)) return add(argument(rest), Role::ordinary);
+        if (name == "operatorname") return add(inner(argument(rest)).text, Role::named);
         if (is_among(functions, name)) return add(name, Role::named);
         if (const auto sign = sign_of_command(name)) return add(*sign, role_of(*sign));
         set_unknown(name, rest);
@@ -190,14 +193,14 @@ class FormulaSetter {
 
     void set_unknown(std::string_view name, std::string_view& rest) {
         std::string text = "\\";
-        unknown_.push_back(text += name);
+        label_.unknown.push_back(text += name);
         while (rest.starts_with('{')) text.append(1, '{').append(inner(take_argument(rest)).text).append(1, '}');
         add(text, Role::fraction);
     }
 
     void set_fraction(std::string_view& rest) {
-        const Line upper = inner(take_argument(rest));
-        const Line lower = inner(take_argument(rest));
+        const Line upper = inner(argument(rest));
+        const Line lower = inner(argument(rest));
         if (const auto sign = fraction_sign(upper.text, lower.text)) return add(*sign, Role::ordinary);
         std::string text = upper.is_sum ? in_parentheses(upper.text) : upper.text;
         text.append(1, '/').append(whole(lower));
@@ -207,12 +210,13 @@ class FormulaSetter {
     void set_root(std::string_view& rest) {
         skip_blanks(rest);
         const std::string_view index = rest.starts_with('[') ? take_group(rest, '[', ']') : std::string_view();
-        const Line root = inner(take_argument(rest));
+        const Line root = inner(argument(rest));
         add("", Role::ordinary);
         if (!index.empty()) set_script('^', index);
         attach("√");
         attach(whole(root));
         last_ = Role::fraction;  // ends where what follows is apart
+        has_power_ = false;
     }
 
     void set_blackboard(std::string_view letters) {
@@ -222,7 +226,10 @@ class FormulaSetter {
 
     /// Labels have scripts of one level: of those within them only what there are small signs for.
     void set_script(char kind, std::string_view formula) {
-        const Line script = FormulaSetter(unknown_, depth_ + 1, true).line_of(formula);
+        const Line script = FormulaSetter(label_, depth_ + 1, true).line_of(formula);
+        bool& has_script = kind == '^' ? has_power_ : has_index_;
+        label_.is_whole = label_.is_whole && !has_script;
+        has_script = true;
         if (script.text.empty()) return;
         if (kind == '^' && script.text == "∘") return attach("°");
         if (!is_script_) return attach(std::string(1, kind).append(1, '{').append(script.text).append(1, '}'));
@@ -237,7 +244,7 @@ class FormulaSetter {
 
     void set_unknown_script(char kind, const std::string& script) {
         const std::string typed = std::string(1, kind) + script;
-        unknown_.push_back(typed);
+        label_.unknown.push_back(typed);
         attach(typed);
     }
 
@@ -264,6 +271,7 @@ class FormulaSetter {
             line_.is_sum || role == Role::binary || role == Role::relation || role == Role::fraction || text == "/";
         ++line_.atoms;
         last_ = role;
+        has_index_ = has_power_ = false;
     }
 
     /// Whether what has this role has a blank before it.
@@ -275,18 +283,20 @@ class FormulaSetter {
         return is_wide(role) || is_wide(last_) || role == Role::named || last_ == Role::comma;
     }
 
-    std::vector<std::string>& unknown_;
+    FormulaLabel& label_;
     std::size_t depth_;
     bool is_script_;
     Line line_;
     Role last_ = Role::ordinary;
+    bool has_index_ = false;  ///< what stands last
+    bool has_power_ = false;
 };
 
 }  // namespace
 
 FormulaLabel formula_label(std::string_view formula) {
     FormulaLabel label;
-    label.text = FormulaSetter(label.unknown, 0, false).line_of(formula).text;
+    label.text = FormulaSetter(label, 0, false).line_of(formula).text;
     return label;
 }
 

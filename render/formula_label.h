@@ -10,6 +10,7 @@ namespace batten::render {
 struct FormulaLabel {
     std::string text;                    ///< in the notation of Label
     std::vector<std::string> unknown{};  ///< commands that stand there as they were typed, in order
+    bool is_whole = true;                ///< no fraction, root, font or script lacks what it is of
 };
 
 /// A formula (what stands between dollar signs, with balanced braces) on one line: "\alpha_i \le \frac{1}{6}" as

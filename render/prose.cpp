@@ -29,12 +29,17 @@ bool can_be_formula(std::string_view text) {
         open += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
         if (open < 0) return false;
     }
-    return open == 0 && !text.empty() && text.find_first_of("%#&~") == std::string_view::npos;
+    return open == 0 && !text.empty() && text.find_first_of("%#&~") == std::string_view::npos &&
+           formula_label(text).is_whole;
+}
+
+bool is_escaped(std::string_view text, std::size_t dollar) {
+    return dollar > 0 && text[dollar - 1] == '\\';
 }
 
 /// Where the formula that begins behind the dollar sign at `start` ends: at the place of the other one.
 std::optional<std::size_t> end_of_formula(std::string_view text, std::size_t start) {
-    if (is_blank_at(text, start + 1)) return std::nullopt;
+    if (is_escaped(text, start) || is_blank_at(text, start + 1)) return std::nullopt;
     const std::size_t end = text.find('$', start + 1);
     if (end == std::string_view::npos || is_blank_at(text, end - 1) || is_digit_at(text, end + 1)) return std::nullopt;
     return can_be_formula(text.substr(start + 1, end - start - 1)) ? std::optional(end) : std::nullopt;
@@ -48,8 +53,11 @@ std::vector<ProsePart> prose_parts(std::string_view prose) {
     std::size_t dollar = prose.find('$');
     while (dollar != std::string_view::npos) {
         const auto end = end_of_formula(prose, dollar);
+        const std::size_t end_of_words = is_escaped(prose, dollar) ? dollar - 1 : dollar;
+        if ((end || end_of_words < dollar) && end_of_words > words)
+            parts.push_back({prose.substr(words, end_of_words - words)});
+        if (end_of_words < dollar) words = dollar;
         if (end) {
-            if (dollar > words) parts.push_back({prose.substr(words, dollar - words)});
             parts.push_back({prose.substr(dollar + 1, *end - dollar - 1), true});
             words = *end + 1;
         }

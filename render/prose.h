@@ -15,7 +15,9 @@ struct ProsePart {
 };
 
 /// The parts in order. A formula begins with a dollar sign before a sign that is no blank and ends with one behind such
-/// a sign and before no digit, so that prices are none; its braces are balanced, and it has no %, #, & and ~.
+/// a sign and before no digit, so that prices are none; its braces are balanced, no command or script lacks what it is
+/// of, and it has no %, #, & and ~. Of a dollar sign behind a backslash, which is never one of a formula, the backslash
+/// is in no part.
 std::vector<ProsePart> prose_parts(std::string_view prose);
 
 /// The text in the notation of Label: "$P_3$ on the curve" as "P_{3} on the curve", formulas by formula_label.

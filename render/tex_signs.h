@@ -6,6 +6,11 @@
 
 namespace batten::render {
 
+/// Whether `sign` is one of those that names of commands have.
+inline bool is_letter(char sign) {
+    return ('a' <= sign && sign <= 'z') || ('A' <= sign && sign <= 'Z');
+}
+
 /// In formulas: "\le " for "≤"; none where it has no such sign.
 std::optional<std::string_view> math_sign(std::string_view sign);
 

@@ -86,10 +86,21 @@ TEST(FormulaLabel, takes_whatever_it_gets) {
     EXPECT_EQ(formula_label(long_formula).text, long_formula);
 }
 
+TEST(FormulaLabel, tells_where_something_lacks_what_it_is_of) {
+    for (const char* formula :
+         {"\\frac{1}", "\\frac", "\\sqrt", "x_", "x^ ", "{\\frac{1}} + 1", "\\mathbb", "x^2^3", "x_1_2", "x_1^2_3"})
+        EXPECT_FALSE(formula_label(formula).is_whole) << formula;
+    for (const char* formula :
+         {"\\frac12", "\\frac{}{}", "x_1^2", "x^2 y^3", "\\sqrt[3]{x}^2", "x^{2^3}", "x'^2", "\\foo"})
+        EXPECT_TRUE(formula_label(formula).is_whole) << formula;
+}
+
 TEST(ProseLabel, sets_what_stands_between_dollar_signs) {
     EXPECT_EQ(prose_label("The point $P_3$ of $N_{i,3}$"), "The point P_{3} of N_{i,3}");
     EXPECT_EQ(prose_label("from $5 to $6, \\alpha"), "from $5 to $6, \\alpha");
     EXPECT_EQ(unset_commands("\\foo and $\\bar x$"), std::vector<std::string>{"\\bar"});
+    EXPECT_EQ(prose_label("half of it, $\\frac{1}$, is $x^2$"), "half of it, $\\frac{1}$, is x^{2}");
+    EXPECT_EQ(prose_label("\\$x_1$, and \\$5 for $x_2$"), "$x_1$, and $5 for x_{2}");
 }
 
 }  // namespace
