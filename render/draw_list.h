@@ -84,6 +84,7 @@ struct Label {
     float size_px = 13.0F;
     Anchor anchor = Anchor::left;
     LabelFont font = LabelFont::text;
+    float gap_px = 0.0F;  ///< above 0: it goes on so far behind the label before it, on the side to which both run
 };
 
 using DrawCommand = std::variant<Fill, Polyline, Ink, Region, ImageQuad, Marker, Label>;

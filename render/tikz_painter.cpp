@@ -7,6 +7,7 @@
 
 #include "render/label_runs.h"
 #include "render/lean_path.h"
+#include "render/tex_definitions.h"
 #include "render/tex_text.h"
 
 namespace batten::render {
@@ -121,21 +122,37 @@ class TikzPainter {
             add("\\path[{}] {};\n", style, path_of(marker_corners(marker), true));
     }
 
+    /// As `command` says, with a name for `next` where that goes on a label.
+    void paint(const DrawCommand& command, const DrawCommand* next) {
+        const auto* label = next == nullptr ? nullptr : std::get_if<Label>(next);
+        goes_on_ = is_gone_on_;
+        is_gone_on_ = std::holds_alternative<Label>(command) && label != nullptr && label->gap_px > 0.0F;
+        std::visit(*this, command);
+    }
+
     void operator()(const Label& label) {
-        const glm::dvec2 place(label.position.x, label.position.y + baseline_drop * label.size_px);
         const std::string text = is_prose_ ? tex_prose(label.text) : tex_text(label.text);
         // Bold formulas need a group of their own within a node.
         const bool is_bold = label.font == LabelFont::bold;
-        add("\\node[anchor={},inner sep=0pt,text={}{},scale={}] at ({}) {{{}}};\n", side_of(label.anchor),
+        add("\\node[anchor={},inner sep=0pt,text={}{},scale={}]{} at ({}) {{{}}};\n", side_of(label.anchor),
             palette_.name(label.color), opacity_of("text", label.color),
-            short_number(bp_per_px * label.size_px / usual_label_bp), short_place(place, ','),
-            is_bold ? fmt::format("{{\\bfseries\\boldmath {}}}", text) : text);
+            short_number(bp_per_px * label.size_px / usual_label_bp), is_gone_on_ ? " (battenword)" : "",
+            place_of(label), is_bold ? fmt::format("{{\\bfseries\\boldmath {}}}", text) : text);
     }
 
   private:
     template <typename... Values>
     void add(fmt::format_string<Values...> pattern, Values&&... values) {
         fmt::format_to(std::back_inserter(text_), pattern, std::forward<Values>(values)...);
+    }
+
+    /// Behind the label before, as wide as the fonts of the paper make that.
+    std::string place_of(const Label& label) const {
+        if (goes_on_ && label.anchor == Anchor::left)
+            return fmt::format("[xshift={}]battenword.base east", length_of(label.gap_px));
+        if (goes_on_ && label.anchor == Anchor::right)
+            return fmt::format("[xshift={}]battenword.base west", length_of(-label.gap_px));
+        return short_place({label.position.x, label.position.y + baseline_drop * label.size_px}, ',');
     }
 
     static std::string dark_parts(const CoverageMap& map, const PixelRange& range, int y) {
@@ -171,6 +188,8 @@ class TikzPainter {
     std::string& text_;
     Palette& palette_;
     bool is_prose_;
+    bool goes_on_ = false;     ///< the label before has a name
+    bool is_gone_on_ = false;  ///< this one needs one
 };
 
 std::string part_text(Palette& palette, const FigurePart& part) {
@@ -179,14 +198,12 @@ std::string part_text(Palette& palette, const FigurePart& part) {
                                    short_place(part.box.lower_px, ','), corner);
     if (part.ground) text += fmt::format("\\fill[{}] (0,0) rectangle ({});\n", palette.name(*part.ground), corner);
     TikzPainter painter(text, palette, part.is_prose);
-    for (const DrawCommand& command : part.list.commands) std::visit(painter, command);
+    const std::vector<DrawCommand>& commands = part.list.commands;
+    for (std::size_t i = 0; i < commands.size(); ++i)
+        painter.paint(commands[i], i + 1 < commands.size() ? &commands[i + 1] : nullptr);
     fmt::format_to(std::back_inserter(text), "\\end{{scope}}\n");
     return text;
 }
-
-constexpr const char* letters_definition =
-    "% Letters for which a stock LaTeX has no font; \\newcommand\\battenletters[1]{#1} before sets them where there is "
-    "one.\n\\providecommand\\battenletters[1]{?}\n";
 
 }  // namespace
 
@@ -194,11 +211,10 @@ std::string tikz_text(const Figure& figure) {
     Palette palette;
     std::string parts;
     for (const FigurePart& part : figure.parts) parts += part_text(palette, part);
-    const bool has_letters = parts.find("\\battenletters") != std::string::npos;
     return fmt::format(
         "% Needs \\usepackage{{tikz}}.\n{}\\begin{{tikzpicture}}[x=0.75bp,y=-0.75bp]\n{}"
         "\\useasboundingbox (0,0) rectangle ({});\n{}\\end{{tikzpicture}}\n",
-        has_letters ? letters_definition : "", palette.definitions(), short_place(figure.size_px, ','), parts);
+        tex_definitions(parts), palette.definitions(), short_place(figure.size_px, ','), parts);
 }
 
 }  // namespace batten::render

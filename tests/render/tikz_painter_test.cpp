@@ -124,6 +124,40 @@ TEST(TikzPainter, sets_labels_on_their_line) {
         << text;
 }
 
+TEST(TikzPainter, goes_on_with_labels_where_the_fonts_of_the_paper_end) {
+    const auto text_with = [](Anchor anchor) {
+        DrawList list;
+        list.add(Label{.position = {50, 40}, .text = "P_{3}", .color = red, .anchor = anchor});
+        list.add(Label{.position = {80, 40}, .text = "w 2", .color = red, .anchor = anchor, .gap_px = 4.0F});
+        list.add(Label{.position = {10, 10}, .text = "Q", .color = red});
+        return tikz_text(page_of(list, {100.0, 80.0}, std::nullopt));
+    };
+    const std::string right = text_with(Anchor::left);
+    EXPECT_TRUE(has(right, " (battenword) at (50,44.68) {$P_{3}$};")) << right;
+    EXPECT_TRUE(has(right, " at ([xshift=3bp]battenword.base east) {$w$ 2};")) << right;
+    EXPECT_TRUE(has(right, "] at (10,14.68) {$Q$};")) << right;
+    EXPECT_TRUE(has(text_with(Anchor::right), " at ([xshift=-3bp]battenword.base west) {$w$ 2};"));
+    // What it went on has been taken away.
+    EXPECT_FALSE(has(tikz_of(Label{.position = {}, .text = "w", .color = red, .gap_px = 4.0F}), "battenword"));
+}
+
+TEST(TikzPainter, defines_what_a_stock_LaTeX_lacks) {
+    DrawList list;
+    list.add(Label{.position = {}, .text = "$\\mathbb{R}$, $a \\text{ if } b \\implies c$", .color = red});
+    Figure figure = page_of(list, {100.0, 80.0}, std::nullopt);
+    figure.parts.front().is_prose = true;
+    const std::string text = tikz_text(figure);
+    EXPECT_TRUE(has(text, "\\providecommand\\mathbb[1]{\\mathbf{#1}}\n")) << text;
+    EXPECT_TRUE(has(text, "\\providecommand\\text[1]{\\mbox{#1}}\n"));
+    EXPECT_TRUE(has(text, "\\providecommand\\implies{\\Longrightarrow}\n"));
+    EXPECT_FALSE(has(text, "\\providecommand\\bm"));
+    list = {};
+    list.add(Label{.position = {}, .text = "$\\textbf{R}$ \\text", .color = red});
+    figure = page_of(list, {100.0, 80.0}, std::nullopt);
+    figure.parts.front().is_prose = true;
+    EXPECT_FALSE(has(tikz_text(figure), "\\providecommand")) << tikz_text(figure);
+}
+
 TEST(TikzPainter, paints_ink_row_by_row) {
     auto map = std::make_shared<CoverageMap>(glm::ivec2(100, 80));
     map->stroke({10.0, 40.5}, {90.0, 40.5}, {.width_px = 3.0});

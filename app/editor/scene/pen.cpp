@@ -166,7 +166,8 @@ void Pen::text(glm::dvec2 position, const std::string& text, const TextStyle& st
                             .color = style.color,
                             .size_px = narrowed(px(style.size)),
                             .anchor = style.anchor,
-                            .font = style.font});
+                            .font = style.font,
+                            .gap_px = narrowed(px(style.gap))});
 }
 
 void Pen::clear_texts(const render::PixelBox& box) {

@@ -36,6 +36,7 @@ struct TextStyle {
     double size = 13.0;
     render::Anchor anchor = render::Anchor::left;
     render::LabelFont font = render::LabelFont::text;
+    double gap = 0.0;  ///< above 0: to the text before, which this one goes on
 };
 
 inline constexpr render::Color no_color{0, 0, 0, 0};
