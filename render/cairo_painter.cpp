@@ -52,6 +52,8 @@ bool has_glyph(cairo_t* cairo, std::string_view sign) {
     return has_one;
 }
 
+constexpr const char* other_family = "DejaVu Sans";
+
 /// Calls visit(stretch) for the stretches of `text` that are of one font, with that font taken: signs that the
 /// interface's font lacks are those of another, since Cairo looks for no other font by itself.
 template <class Visit>
@@ -64,7 +66,7 @@ void for_each_stretch(cairo_t* cairo, std::string_view text, double size_px, Lab
         std::size_t size = 0;
         while (size < text.size() && is_lacking(first_sign(text.substr(size))) == is_other)
             size += first_sign(text.substr(size)).size();
-        if (is_other) take_font(cairo, size_px, font, "DejaVu Sans");
+        if (is_other) take_font(cairo, size_px, font, other_family);
         visit(std::string(text.substr(0, size)));
         text.remove_prefix(size);
     }
@@ -246,9 +248,8 @@ class Painter {
             if (!run.is_stacked) start = end;
             const bool is_script = run.script != Script::none;
             const double size = (is_script ? script_size : 1.0) * label.size_px;
-            const double shift = !is_script ? 0.0 : run.script == Script::sub ? script_shift : -script_shift;
             if (is_shown) {
-                cairo_move_to(cairo_, start, label.position.y + (shift + baseline_drop) * label.size_px);
+                cairo_move_to(cairo_, start, label.position.y + (run.shift + baseline_drop) * label.size_px);
                 for_each_stretch(cairo_, run.text, size, label.font,
                                  [&](const std::string& stretch) { cairo_show_text(cairo_, stretch.c_str()); });
             }
@@ -344,6 +345,17 @@ double text_width(std::string_view text, double size_px, LabelFont font) {
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
     const Context cairo(cairo_create(surface.get()));
     return advance_of(cairo.get(), text, size_px, font);
+}
+
+std::vector<std::string> letters_without_font(std::string_view label) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+    const Context cairo(cairo_create(surface.get()));
+    std::vector<std::string> letters;
+    for_each_stretch(cairo.get(), label, 1.0, LabelFont::text, [&](std::string_view stretch) {
+        for (; !stretch.empty(); stretch.remove_prefix(first_sign(stretch).size()))
+            if (!has_glyph(cairo.get(), first_sign(stretch))) letters.emplace_back(first_sign(stretch));
+    });
+    return letters;
 }
 
 }  // namespace batten::render

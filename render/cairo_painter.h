@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "render/figure.h"
 
@@ -27,5 +28,9 @@ FigureBytes png_bytes(const Image& image);
 
 /// How wide `text` without scripts is in a font of `size_px`.
 double text_width(std::string_view text, double size_px, LabelFont font);
+
+/// The signs of a label for which neither the interface's fonts nor DejaVu Sans have a picture, so that boxes stand for
+/// them; in order.
+std::vector<std::string> letters_without_font(std::string_view label);
 
 }  // namespace batten::render

@@ -32,7 +32,8 @@ struct Figure {
 /// What the file of a figure lacks.
 struct FigureLosses {
     std::vector<std::string> labels{};    ///< that had no room, in the notation of Label
-    std::vector<std::string> letters{};   ///< that the format cannot write, each once
+    std::vector<std::string> letters{};   ///< that LaTeX cannot set, each once
+    std::vector<std::string> boxes{};     ///< letters for which no font has a picture, each once
     std::vector<std::string> commands{};  ///< of formulas, that stand there as they were typed, each once
     std::vector<std::string> thinned{};   ///< sentences: of what not all is drawn
     bool has_images = false;              ///< images, where the format has none

@@ -59,6 +59,7 @@ FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
                         .has_title = figure.lacks_title,
                         .has_legend = figure.lacks_legend};
     const bool is_tikz = format == FigureFormat::tikz;
+    const bool has_pictures = format == FigureFormat::pdf || format == FigureFormat::png;
     for (const FigurePart& part : figure.parts)
         for (const DrawCommand& command : part.list.commands) {
             losses.has_images = losses.has_images || (is_tikz && std::holds_alternative<ImageQuad>(command));
@@ -66,6 +67,8 @@ FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
             if (label == nullptr) continue;
             if (is_tikz) add_new(losses.letters, letters_without_tex(label->text));
             if (!is_tikz && part.is_prose) add_new(losses.commands, unset_commands(label->text));
+            if (has_pictures)
+                add_new(losses.boxes, letters_without_font(part.is_prose ? prose_label(label->text) : label->text));
         }
     return losses;
 }
@@ -73,6 +76,7 @@ FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
 void add_losses(FigureLosses& losses, const FigureLosses& more) {
     add_new(losses.labels, more.labels);
     add_new(losses.letters, more.letters);
+    add_new(losses.boxes, more.boxes);
     add_new(losses.commands, more.commands);
     if (losses.thinned.empty()) losses.thinned = more.thinned;  // numbers that differ from frame to frame
     losses.has_images = losses.has_images || more.has_images;

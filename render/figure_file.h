@@ -13,6 +13,11 @@ enum class FigureFormat { svg, pdf, png, tikz };
 /// The format of files with this ending: ".svg", ".pdf", ".png", ".tex" or ".tikz", in letters of any case.
 std::optional<FigureFormat> figure_format(const std::filesystem::path& file);
 
+/// Whether files of that format show pixels where they are enlarged.
+constexpr bool has_pixels(FigureFormat format) {
+    return format == FigureFormat::png;
+}
+
 /// The bytes of a file.
 FigureBytes figure_bytes(const Figure& figure, FigureFormat format);
 

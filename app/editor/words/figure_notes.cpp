@@ -38,6 +38,13 @@ std::string note_on_letters(const std::vector<std::string>& letters) {
         {{"letters", list_of_first(letters)}});
 }
 
+std::string note_on_boxes(const std::vector<std::string>& letters) {
+    return core::sentence(
+        "no font of these figures has {letters}: boxes stand there; an SVG figure has them as text, for the fonts of "
+        "what shows it",
+        {{"letters", list_of_first(letters)}});
+}
+
 std::string note_on_commands(const std::vector<std::string>& commands) {
     return core::sentence(
         {.one =
@@ -59,6 +66,7 @@ std::vector<std::string> figure_notes(const render::FigureLosses& losses) {
     notes.insert(notes.end(), losses.thinned.begin(), losses.thinned.end());
     if (!losses.labels.empty()) notes.push_back(note_on_labels(losses.labels));
     if (!losses.letters.empty()) notes.push_back(note_on_letters(losses.letters));
+    if (!losses.boxes.empty()) notes.push_back(note_on_boxes(losses.boxes));
     if (!losses.commands.empty()) notes.push_back(note_on_commands(losses.commands));
     if (losses.has_images) notes.emplace_back("TikZ has no images, so the pictures are left out");
     return notes;
