@@ -171,11 +171,14 @@ Checked read_format(FigureOrder& order, const FigureOptions& options) {
                  {{"found", options.result.string()}}));
 }
 
+bool has_pixels(const FigureOrder& order) {
+    const auto* still = std::get_if<render::FigureFormat>(&order.format);
+    return still == nullptr || render::has_pixels(*still);
+}
+
 /// What has pixels has whole ones, and a movie of the kind MP4 an even number of them on each side.
 void make_whole(FigureOrder& order) {
-    const auto* still = std::get_if<render::FigureFormat>(&order.format);
     const auto* movie = std::get_if<MovieFormat>(&order.format);
-    if (still != nullptr && *still != render::FigureFormat::png) return;
     const double step = movie != nullptr && *movie == MovieFormat::mp4 ? 2.0 : 1.0;
     const double scale = order.form.scale;
     for (double* side : {&order.size_px.x, &order.size_px.y})
@@ -183,11 +186,14 @@ void make_whole(FigureOrder& order) {
 }
 
 Checked check_scale(const FigureOrder& order) {
-    const auto* still = std::get_if<render::FigureFormat>(&order.format);
-    const bool has_pixels = still == nullptr || *still == render::FigureFormat::png;
-    if (has_pixels || order.form.scale == 1.0) return {};
+    if (has_pixels(order) || order.form.scale == 1.0) return {};
     return tl::unexpected(
         std::string("--scale is for pixels: PNG, GIF and MP4 have them; other figures can be enlarged as they are"));
+}
+
+Checked check_rate(const FigureOrder& order, const FigureOptions& options) {
+    if (!options.rate || std::holds_alternative<MovieFormat>(order.format)) return {};
+    return tl::unexpected(std::string("--rate: numbered frames have none; GIF and MP4 have one"));
 }
 
 Checked read_ground(FigureOrder& order, const FigureOptions& options) {
@@ -217,11 +223,15 @@ tl::expected<FigureOrder, std::string> read_order(const FigureOptions& options) 
     if (checked) checked = read_animation(order, options);
     if (checked) checked = read_format(order, options);
     if (checked) checked = check_scale(order);
+    if (checked) checked = check_rate(order, options);
     if (checked) checked = read_ground(order, options);
     if (checked) checked = read_title(order, options);
     if (checked) checked = check_height(order);
     if (!checked) return tl::unexpected(std::move(checked.error()));
-    make_whole(order);
+    if (has_pixels(order))
+        make_whole(order);
+    else
+        order.form.fineness = editor::fineness_to_enlarge;
     return order;
 }
 

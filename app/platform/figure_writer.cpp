@@ -16,9 +16,12 @@ tl::expected<std::vector<std::string>, std::string> write_figure(const editor::E
         return tl::unexpected(
             core::sentence("'{file}' has the ending of no figure; .svg, .pdf, .png and .tex are the endings of figures",
                            {{"file", path.filename().string()}}));
-    editor::FigureForm pixels = form;
-    if (*format != render::FigureFormat::png) pixels.scale = 1.0;  // the others can be enlarged as they are
-    const render::Figure figure = editor::window_figure(state, pixels);
+    editor::FigureForm shown = form;
+    if (!render::has_pixels(*format)) {
+        shown.scale = 1.0;
+        shown.fineness = editor::fineness_to_enlarge;
+    }
+    const render::Figure figure = editor::window_figure(state, shown);
     const auto bytes = render::figure_bytes(figure, *format);
     if (!bytes) return tl::unexpected(bytes.error());
     core::tell(state.progress, 1, 1);  // from here on it is not stopped

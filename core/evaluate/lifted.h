@@ -49,6 +49,8 @@ LiftedSample lifted_at(const Curve& curve, double u, Side side = Side::right);
 struct LiftedFineness {
     double tolerance = 1e-3;      ///< > 0, in space: a chord is halved while its middle is farther from the curve
     std::size_t most_spans = 64;  ///< above 0: of a curve with more spans only so many of their ends are taken
+
+    bool operator==(const LiftedFineness&) const = default;
 };
 
 /// Samples that show the curve in space, ascending: at least 5 in each span, and at most 4097; a new run after a tear.

@@ -29,7 +29,7 @@ constexpr double line_clearance = 5.0;
 /// The directions from one point in which a line passes near all points since.
 class Cone {
   public:
-    explicit Cone(glm::dvec2 apex) : apex_(apex) {}
+    Cone(glm::dvec2 apex, double reach) : apex_(apex), reach_(reach) {}
 
     bool contains(glm::dvec2 point) const {
         const double slope = (point.y - apex_.y) / (point.x - apex_.x);
@@ -37,27 +37,28 @@ class Cone {
     }
     void narrow_to(glm::dvec2 point) {
         const double run = point.x - apex_.x;
-        lower_ = std::max(lower_, (point.y - simplification_px - apex_.y) / run);
-        upper_ = std::min(upper_, (point.y + simplification_px - apex_.y) / run);
+        lower_ = std::max(lower_, (point.y - reach_ - apex_.y) / run);
+        upper_ = std::min(upper_, (point.y + reach_ - apex_.y) / run);
     }
 
   private:
     glm::dvec2 apex_;
+    double reach_;
     double lower_ = -std::numeric_limits<double>::infinity();
     double upper_ = std::numeric_limits<double>::infinity();
 };
 
-/// The same graph with fewer points: none of those left out is farther than `simplification_px` above or below. Of
+/// The same graph with fewer points: none of those left out is farther than `reach` above or below. Of
 /// points with the same x, where doubles cannot tell the parameters apart, only the first counts.
-std::vector<glm::dvec2> simplified(const std::vector<glm::dvec2>& points) {
+std::vector<glm::dvec2> simplified(const std::vector<glm::dvec2>& points, double reach) {
     std::vector<glm::dvec2> kept{points.front()};
-    Cone cone(points.front());
+    Cone cone(points.front(), reach);
     glm::dvec2 last = points.front();
     for (const glm::dvec2 point : points) {
         if (!(point.x > last.x)) continue;
         if (!cone.contains(point)) {
             kept.push_back(last);
-            cone = Cone(last);
+            cone = Cone(last, reach);
         }
         cone.narrow_to(point);
         last = point;
@@ -138,6 +139,7 @@ class GraphTracer {
 
   private:
     std::size_t degree() const { return static_cast<std::size_t>(frame_.curve.degree()); }
+    double fineness() const { return frame_.state.view.parts.fineness; }
 
     /// The functions of one span in the shown range, sampled at its ends and between.
     std::vector<std::vector<glm::dvec2>> samples_of(std::size_t s, double least) const {
@@ -147,7 +149,9 @@ class GraphTracer {
         if (!(shown.lower < shown.upper)) return {};
         const double width = frame_.x(shown.upper) - frame_.x(shown.lower);
         const int steps =
-            degree() == 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, least, most_graph_steps));
+            degree() == 1
+                ? 1
+                : static_cast<int>(std::clamp(fineness() * width / sample_spacing_px, least, most_graph_steps));
         std::vector<std::vector<glm::dvec2>> samples(std::min(degree() + 1, frame_.curve.control_points().size()));
         for (int k = 0; k <= steps; ++k) {
             const double u = k == steps ? shown.upper : shown.lower + shown.length() * (static_cast<double>(k) / steps);
@@ -162,10 +166,10 @@ class GraphTracer {
         for (std::size_t j = 0; j < sums.size(); ++j) samples[j].push_back({frame_.x(u), frame_.y(sums[j])});
     }
 
-    static void append(BasisGraph& graph, const std::vector<glm::dvec2>& samples) {
+    void append(BasisGraph& graph, const std::vector<glm::dvec2>& samples) const {
         for (const glm::dvec2 place : samples)
             if (place.y < graph.peak.y) graph.peak = place;
-        std::vector<glm::dvec2> piece = simplified(samples);
+        std::vector<glm::dvec2> piece = simplified(samples, simplification_px / std::pow(fineness(), 2));
         const bool goes_on = !graph.runs.empty() && glm::distance(graph.runs.back().back(), piece.front()) < 0.01;
         if (!goes_on) {
             graph.runs.push_back(std::move(piece));

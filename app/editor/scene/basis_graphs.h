@@ -14,9 +14,9 @@ struct ShownBasis {
 
 /// All functions over their whole supports, also outside the domain, in the order of their control points; where they
 /// are too many, those that act at the parameter or are lit, wide ones, and of narrow ones one for each few pixels.
-/// Runs are true to a quarter of a pixel, with few points. The functions of a periodic curve go on from its end at its
-/// start. Cost: that of the graphs that the cache lacks; where they are too many, one look at each knot when knots or
-/// axes are others.
+/// Runs are true to a quarter of a pixel, nearer where the picture will be enlarged, with few points. The functions of
+/// a periodic curve go on from its end at its start. Cost: that of the graphs that the cache lacks; where they are too
+/// many, one look at each knot when knots or axes are others.
 ShownBasis basis_graphs(const PlotFrame& frame, BasisCache& cache);
 
 /// The graphs, those that do not act at the parameter dimmed, those that are lit thick; their numbers above their

@@ -34,8 +34,9 @@ void draw_rest(CanvasFrame& frame, const core::ConicArc& arc) {
     if (!std::isfinite(reach)) return;
     const render::Color color =
         render::blended(color_of(*frame.state.shown().active_curve(), frame.theme), rest_share, frame.theme.canvas);
-    const core::TessellationRequest request{
-        .tolerance = line_tolerance_px / frame.state.view.camera.scale, .view = frame.seen(4.0), .range = {0.0, 1.0}};
+    const core::TessellationRequest request{.tolerance = line_tolerance_px(frame) / frame.state.view.camera.scale,
+                                            .view = frame.seen(4.0),
+                                            .range = {0.0, 1.0}};
     for (const core::Curve& curve : core::complement_of(arc, reach))
         for (const auto& run : core::tessellate(curve, request)) {
             std::vector<glm::dvec2> places;

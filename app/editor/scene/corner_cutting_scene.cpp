@@ -152,7 +152,8 @@ void draw_span(PlotFrame& frame, const LocalFunctions& functions, const std::vec
     if (!(lower < upper)) return;
     const auto p = static_cast<std::size_t>(functions.knots.degree());
     const double width = frame.x(upper + shift) - frame.x(lower + shift);
-    const auto steps = static_cast<std::size_t>(std::clamp(width / cut_spacing_px, 2.0, most_cut_steps));
+    const auto steps = static_cast<std::size_t>(
+        std::clamp(frame.state.view.parts.fineness * width / cut_spacing_px, 2.0, most_cut_steps));
     std::vector<std::vector<glm::dvec2>> lines(p + 1);
     for (std::size_t k = 0; k <= steps; ++k) {
         const double u =

@@ -119,8 +119,10 @@ bool leave_out_legend(EditorState& state, const FigureForm& form, SceneCache& ca
                            state.view.overlays.is_shown(Overlay::construction) &&
                            state.visible_active_curve() != nullptr;
     if (!is_wanted) return false;
-    const bool has_room = shows_legend(state) &&
-                          covered(state, state.view.camera, legend_box(state, state.view.legend_corner), cache) == 0;
+    const render::PixelBox box = legend_box(state, state.view.legend_corner);
+    const render::PixelBox page{{}, state.view.camera.size_px};
+    const bool has_room = shows_legend(state) && page.contains(box.lower_px) && page.contains(box.upper_px) &&
+                          covered(state, state.view.camera, box, cache) == 0;
     state.view.parts.legend = has_room;
     return !has_room;
 }
@@ -131,6 +133,7 @@ render::Figure composed(EditorState state, const FigureForm& form, const FigureH
     SceneCache cache;
     spots.begin_frame();
     cache.label_spots() = std::move(spots);
+    state.view.parts.fineness = form.fineness;
     const bool lacks_legend = leave_out_legend(state, form, cache);
     const double width = state.view.camera.size_px.x;
     FigurePage page(state, form, width);

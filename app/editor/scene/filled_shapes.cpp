@@ -44,7 +44,7 @@ render::Pixel near_pixel(glm::dvec2 place) {
 /// The curve as one loop; one with too many places is coarser.
 std::vector<render::Pixel> loop_of(CanvasFrame& frame, const ClosedItem& closed) {
     core::CurveStrips& strips = frame.cache.curve(closed.index, closed.item.curve).strips();
-    core::StripRequest request{line_tolerance_px / frame.state.view.camera.scale, frame.seen(fill_margin_px),
+    core::StripRequest request{line_tolerance_px(frame) / frame.state.view.camera.scale, frame.seen(fill_margin_px),
                                most_loop_places};
     std::optional<core::PointRuns> runs = strips.outline(request);
     for (int k = 0; k < most_coarsenings && !runs; ++k) {

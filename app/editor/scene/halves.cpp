@@ -54,7 +54,7 @@ void draw_part_of_curve(CanvasFrame& frame, const CurveHalf& part) {
     const std::size_t s = frame.triangle->span;
     const core::Interval cut{std::max(part.range.lower, knots[s]), std::min(part.range.upper, knots[s + 1])};
     if (!(cut.lower < cut.upper)) return;
-    const double tolerance = line_tolerance_px / frame.state.view.camera.scale;
+    const double tolerance = line_tolerance_px(frame) / frame.state.view.camera.scale;
     for (const auto& run :
          core::tessellate(*frame.curve, {tolerance, frame.seen(frame.pen.px(half_band_width)), cut})) {
         std::vector<glm::dvec2> places;

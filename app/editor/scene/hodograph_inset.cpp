@@ -142,16 +142,17 @@ std::optional<core::PointRuns> hodograph_runs(const CanvasFrame& frame, const Ho
     core::CurveStrips* strips = hodograph.strips;
     if (strips == nullptr) return sampled_runs(*frame.curve, hodograph.order);
     const InsetMap map(area, with_origin(strips->box()));
-    const double tolerance = std::max(line_tolerance_px / std::max(map.scale(), std::numeric_limits<double>::min()),
-                                      std::numeric_limits<double>::min());
-    const auto most = static_cast<std::size_t>(places_per_px * frame.pen.size_px().x);
+    const double tolerance =
+        std::max(line_tolerance_px(frame) / std::max(map.scale(), std::numeric_limits<double>::min()),
+                 std::numeric_limits<double>::min());
+    const auto most = static_cast<std::size_t>(places_per_px * frame.state.view.parts.fineness * frame.pen.size_px().x);
     return strips->runs({tolerance, strips->box(), most}, strips->curve()->domain());
 }
 
 void draw_inked(CanvasFrame& frame, const core::CurveStrips& strips, const InsetMap& map, const Stroke& stroke) {
     const InkPlace place = ink_place(frame, stroke);
     auto ink = std::make_shared<render::CoverageMap>(place.size_px);
-    strips.visit_chords(chord_request(place, {line_tolerance_px / map.scale(), strips.box()}, map, *ink),
+    strips.visit_chords(chord_request(place, {ink_tolerance_px / map.scale(), strips.box()}, map, *ink),
                         strips.curve()->domain());
     frame.pen.ink(ink, stroke.color);
 }

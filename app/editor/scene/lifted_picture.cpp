@@ -20,7 +20,8 @@ constexpr double generator_share = 0.4;
 constexpr double ray_share = 0.55;
 constexpr double ray_beyond = 1.06;  // of the way to what is higher
 constexpr std::size_t generator_count = 32;
-constexpr int steps_of_bent_leg = 12;
+constexpr double steps_of_bent_leg = 12.0;
+constexpr double lifted_tolerance = 1e-3;  // in space
 constexpr double lifted_width = 3.0;
 constexpr double lifted_title_height = 24.0;
 constexpr double lifted_padding = 12.0;
@@ -48,7 +49,7 @@ class LiftedPicture {
           parts_(parts),
           stage_(lifted_stage(frame.state, box)),
           pen_(frame.pen.within({box.lower_px + glm::dvec2(0.0, frame.pen.px(lifted_title_height)), box.upper_px})),
-          samples_(frame.kept->lifted(stage_.view)),
+          samples_(frame.kept->lifted(stage_.view, {.tolerance = lifted_tolerance / std::pow(fineness(), 2)})),
           is_from_above_(stage_.camera.pitch >= 0.0) {}
 
     void draw() {
@@ -65,6 +66,7 @@ class LiftedPicture {
     }
 
   private:
+    double fineness() const { return frame_.state.view.parts.fineness; }
     std::span<const core::Point> points() const { return frame_.curve->control_points(); }
     double weight(std::size_t i) const { return frame_.curve->weights()[i]; }
     glm::dvec2 origin() const { return render::screen_from_space(stage_.camera, {0.0, 0.0, 0.0}); }
@@ -73,6 +75,13 @@ class LiftedPicture {
     template <class Visit>
     void for_each_point(const Visit& visit) const {
         for (std::size_t i = 0; i < points().size(); i += lifted_stride(*frame_.curve)) visit(i);
+    }
+
+    /// Where the polygon is shown.
+    template <class Visit>
+    void for_each_leg(const Visit& visit) const {
+        if (!parts_.polygon || lifted_stride(*frame_.curve) > 1) return;
+        for (std::size_t leg = 0; leg < core::leg_count(*frame_.curve); ++leg) visit(leg_samples(leg));
     }
 
     /// From the origin to the shadow or beyond it to the lifted point.
@@ -95,9 +104,7 @@ class LiftedPicture {
     /// The polygon and the curve in space as far as they are above, or else below the plane.
     void draw_side(bool is_above) {
         const Stroke polygon{.color = frame_.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
-        if (parts_.polygon && lifted_stride(*frame_.curve) == 1)
-            for (std::size_t leg = 0; leg < core::leg_count(*frame_.curve); ++leg)
-                draw_on_side(leg_samples(leg), is_above, polygon);
+        for_each_leg([&](const std::vector<core::LiftedSample>& leg) { draw_on_side(leg, is_above, polygon); });
         const Stroke lifted{.color = frame_.theme.level(2), .width = lifted_width};
         for (const auto& run : samples_) draw_on_side(run, is_above, lifted);
     }
@@ -106,8 +113,9 @@ class LiftedPicture {
     std::vector<core::LiftedSample> leg_samples(std::size_t leg) const {
         const std::size_t next = (leg + 1) % points().size();
         std::vector<core::LiftedSample> samples;
-        for (int k = 0; k <= steps_of_bent_leg; ++k) {
-            const double t = static_cast<double>(k) / steps_of_bent_leg;
+        const auto steps = static_cast<int>(steps_of_bent_leg * fineness());
+        for (int k = 0; k <= steps; ++k) {
+            const double t = static_cast<double>(k) / steps;
             // Parts of the larger weight: no quotient or product is larger than what it is made of.
             const double larger = std::max(weight(leg), weight(next));
             const double pull = (1.0 - t) * (weight(leg) / larger);
@@ -201,6 +209,11 @@ class LiftedPicture {
                     line.push_back(shown(sample.point, is_lifted ? sample.weight : 1.0));
                 layout.avoid_line(line);
             }
+        for_each_leg([&](const std::vector<core::LiftedSample>& leg) {
+            std::vector<glm::dvec2> line;
+            for (const core::LiftedSample& sample : leg) line.push_back(shown(sample.point, sample.weight));
+            layout.avoid_line(line);
+        });
         layout.avoid_box({origin() - reach, origin() + 3.0 * reach});
         if (parts_.points)
             for_each_point([&](std::size_t i) {

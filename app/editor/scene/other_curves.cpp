@@ -61,7 +61,7 @@ OtherInk inked(CanvasFrame& frame, const InkPlace& place, double tolerance_px,
 
 /// The lines of the curves; none where they have too many places.
 std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<CurveInColor>& curves) {
-    const double most = most_other_places * frame.pen.size_px().x;
+    const double most = most_other_places * frame.state.view.parts.fineness * frame.pen.size_px().x;
     double places = 0.0;
     std::vector<SeenLine> lines;
     for (const CurveInColor& other : curves) {
@@ -84,7 +84,7 @@ void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, do
     // What was too much for lines before it moved still is.
     const bool is_much = is_moving && !kept.inks.empty() && kept.place == place && kept.items.size() == curves.size();
     if (is_much && moving == MovingInk::nothing) return;
-    const double tolerance_px = is_moving ? moving_tolerance_px : line_tolerance_px;
+    const double tolerance_px = is_moving ? moving_tolerance_px : ink_tolerance_px;
     if (!is_kept(kept, place, tolerance_px, curves)) {
         const std::vector<SeenLine> lines = is_much ? std::vector<SeenLine>() : lines_of(frame, curves);
         for (std::size_t k = 0; k < lines.size(); ++k) {

@@ -22,7 +22,7 @@ double value_of(const std::vector<double>& coefficients, double t) {
 /// The polynomial of a piece between two values of its own parameter, as far as the plot reaches from the first.
 void draw_part(PlotFrame& frame, const core::BasisPiece& piece, core::Interval t, double shift, const Stroke& stroke,
                bool begins_at_upper) {
-    const int steps = std::max(2, static_cast<int>(steps_in_span * t.length()));
+    const int steps = std::max(2, static_cast<int>(steps_in_span * frame.state.view.parts.fineness * t.length()));
     std::vector<glm::dvec2> line;
     for (int n = 0; n <= steps; ++n) {
         const double share = static_cast<double>(n) / steps;

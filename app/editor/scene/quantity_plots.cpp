@@ -25,7 +25,8 @@ class QuantityPlot {
     QuantityPlot(PlotFrame& frame, core::Quantity quantity, render::PixelBox box)
         : frame_(frame), quantity_(quantity), box_(box) {
         box_.lower_px.y += frame.pen.px(quantity_title_height);
-        const auto most = static_cast<std::size_t>(parameters_per_px * frame.pen.size_px().x) + 8;
+        const auto most =
+            static_cast<std::size_t>(parameters_per_px * frame.state.view.parts.fineness * frame.pen.size_px().x) + 8;
         graph_ = frame.state.measured.graph(frame.curve, {quantity, frame.layout.range, most});
         const double length = graph_->values.length();
         const double room = length > 0.0 && std::isfinite(length) ? head_room * length : 1.0;

@@ -27,8 +27,9 @@ std::map<std::size_t, Places> rational_lines(const PlotFrame& frame) {
             lines[basis.first + j].push_back({frame.x(u), frame.y(basis.derivatives[0][j])});
     };
     std::size_t span = 0;
-    for (const PlotInterval& interval : plot_intervals(
-             frame.curve.knots(), range, frame.x(range.upper) - frame.x(range.lower), frame.pen.px(rational_spacing))) {
+    for (const PlotInterval& interval :
+         plot_intervals(frame.curve.knots(), range, frame.x(range.upper) - frame.x(range.lower),
+                        frame.pen.px(rational_spacing) / frame.state.view.parts.fineness)) {
         if (interval.span != span) add(interval.u.lower, core::Side::right);
         add(interval.u.upper, core::Side::left);
         span = interval.span;

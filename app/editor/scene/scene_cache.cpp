@@ -38,11 +38,13 @@ core::CurveStrips* KeptCurve::hodograph(std::size_t order) {
     return strips ? &*strips : nullptr;
 }
 
-const std::vector<std::vector<core::LiftedSample>>& KeptCurve::lifted(const core::LiftView& view) {
-    if (lifted_curve_ != strips_.curve() || lifted_view_ != view) {
+const std::vector<std::vector<core::LiftedSample>>& KeptCurve::lifted(const core::LiftView& view,
+                                                                      const core::LiftedFineness& fineness) {
+    if (lifted_curve_ != strips_.curve() || lifted_view_ != view || lifted_fineness_ != fineness) {
         lifted_curve_ = strips_.curve();
         lifted_view_ = view;
-        lifted_ = core::lifted_samples(*lifted_curve_, view, {});
+        lifted_fineness_ = fineness;
+        lifted_ = core::lifted_samples(*lifted_curve_, view, fineness);
         // Where numbers on the way are too large for doubles nothing can be shown.
         for (auto& run : lifted_)
             std::erase_if(run, [](const core::LiftedSample& sample) {

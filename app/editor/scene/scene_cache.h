@@ -44,7 +44,8 @@ class KeptCurve {
     core::CurveStrips* hodograph(std::size_t order);
 
     /// The lifted curve as it is shown in `view`, sampled when it is asked for.
-    const std::vector<std::vector<core::LiftedSample>>& lifted(const core::LiftView& view);
+    const std::vector<std::vector<core::LiftedSample>>& lifted(const core::LiftView& view,
+                                                               const core::LiftedFineness& fineness);
 
     /// How many hodographs were made so far.
     std::size_t hodograph_count() const { return hodograph_count_; }
@@ -58,6 +59,7 @@ class KeptCurve {
     std::size_t hodograph_count_ = 0;
     std::shared_ptr<const core::Curve> lifted_curve_;  ///< the curve whose samples are there
     core::LiftView lifted_view_;
+    core::LiftedFineness lifted_fineness_;
     std::vector<std::vector<core::LiftedSample>> lifted_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/editor/scene/seen_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 #include "app/editor/scene/canvas_frame.h"
@@ -17,8 +18,8 @@ constexpr double least_seen_width_px = 100.0;
 
 core::StripRequest strip_request(const CanvasFrame& frame, double places_per_px) {
     const render::Camera& camera = frame.state.view.camera;
-    const double width = std::max(camera.size_px.x, least_seen_width_px);
-    return {line_tolerance_px / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
+    const double width = frame.state.view.parts.fineness * std::max(camera.size_px.x, least_seen_width_px);
+    return {line_tolerance_px(frame) / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
             static_cast<std::size_t>(places_per_px * width)};
 }
 
@@ -39,7 +40,7 @@ struct OnCanvas {
 
 /// What paints chords of a line of the canvas, as far as it is in `view`, into `map`.
 core::ChordRequest canvas_request(const CanvasFrame& frame, const InkPlace& place, const core::Box& view,
-                                  render::CoverageMap& map, double tolerance_px = line_tolerance_px) {
+                                  render::CoverageMap& map, double tolerance_px = ink_tolerance_px) {
     const OnCanvas screen{frame};
     return chord_request(place, {tolerance_px / screen.scale(), view}, screen, map);
 }
@@ -61,6 +62,11 @@ SeenLine inked(const CanvasFrame& frame, KeptInk& kept, const core::StripChange&
 }
 
 }  // namespace
+
+double line_tolerance_px(const CanvasFrame& frame) {
+    // The distance of a chord grows with the square of its length.
+    return ink_tolerance_px / std::pow(frame.state.view.parts.fineness, 2);
+}
 
 InkPlace ink_place(const CanvasFrame& frame, const Stroke& stroke) {
     return {frame.state.view.camera,

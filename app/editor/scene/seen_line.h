@@ -17,22 +17,25 @@ namespace batten::editor {
 struct CanvasFrame;
 class KeptCurve;
 
-/// A line in pixels of the picture, true to a quarter of a pixel. It has runs or ink.
+/// A line in pixels of the picture, true to line_tolerance_px. It has runs or ink.
 struct SeenLine {
     std::vector<std::vector<glm::dvec2>> runs;
     std::vector<double> starts;                      ///< how far along the line each run begins; none for a curve
     std::shared_ptr<const render::CoverageMap> ink;  ///< null where runs show all
 };
 
-/// How near the lines are, in pixels.
-inline constexpr double line_tolerance_px = 0.25;
+/// How near ink is to the lines, in pixels.
+inline constexpr double ink_tolerance_px = 0.25;
+
+/// The same of polylines: nearer in a picture that will be enlarged.
+double line_tolerance_px(const CanvasFrame& frame);
 
 /// Widths, in design pixels, of the active curve and of others.
 inline constexpr double active_curve_width = 3.0;
 inline constexpr double other_curve_width = 2.0;
 
 /// The line of a curve over `range`, which should begin and end at knots, with at most `places_per_px` places for each
-/// pixel of the picture's width. Ink gets the width and the dashes of `stroke`.
+/// pixel of the picture's width, more in one that will be enlarged. Ink gets the width and the dashes of `stroke`.
 SeenLine seen_part(const CanvasFrame& frame, core::CurveStrips& strips, core::Interval range, double places_per_px,
                    const Stroke& stroke);
 

@@ -38,7 +38,8 @@ std::vector<glm::dvec2> arc_places(const CanvasFrame& frame, const core::Osculat
     const double reach = glm::length(picture) + glm::distance(contact, 0.5 * picture);
     const double half = std::min(std::numbers::pi, 3.0 * reach / radius);
     const double steps =
-        std::clamp(std::ceil(half / std::sqrt(2.0 * sagitta_px / std::max(radius, 1.0))), 8.0, most_circle_steps);
+        std::clamp(std::ceil(half / std::sqrt(2.0 * sagitta_px / std::max(radius, 1.0))), 8.0, most_circle_steps) *
+        frame.state.view.parts.fineness;
     std::vector<glm::dvec2> places;
     for (double k = -steps; k <= steps; k += 1.0) {
         const double angle = half * k / steps;

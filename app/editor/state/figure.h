@@ -20,7 +20,11 @@ struct PictureParts {
     bool arrow = true;           ///< which way the active curve runs, where no other arrows tell it
     bool window = true;          ///< what a window tells of itself: how many marks are left out, room for its cards
     bool high_contrast = false;  ///< the colors are those for a projector even where nothing is presented
+    double fineness = 1.0;       ///< how many times as many places a curved line has as pixels need, >= 1
 };
+
+/// The fineness of pictures that will be enlarged: at sixteen times the size lines are as true as on a screen.
+inline constexpr double fineness_to_enlarge = 4.0;
 
 enum class FigureView { curve, basis, both, homogeneous };
 
@@ -30,6 +34,7 @@ enum class FigureTheme { light, dark, high_contrast };
 struct FigureForm {
     FigureView view = FigureView::curve;
     double scale = 1.0;                  ///< pixels of a PNG for each of the picture, > 0; other formats have no pixels
+    double fineness = 1.0;               ///< of PictureParts; more for formats without pixels
     bool is_transparent = false;         ///< without the ground
     std::string title{};                 ///< set above; empty: none
     std::optional<FigureTheme> theme{};  ///< the colors; none: those of the view

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/make/conics.h"
 #include "core/refine/knot_insertion.h"
 #include "tests/editor/sample_editor.h"
 
@@ -48,6 +49,38 @@ TEST(FigureScene, is_larger_by_its_scale_in_all_its_parts) {
     EXPECT_EQ(figure.parts[1].box.lower_px.y, 480.0) << "the plot has at least 160 design pixels";
     EXPECT_EQ(count_discs(figure.parts[0], 13.0F), state.active_curve()->control_points().size());
     EXPECT_FALSE(figure.parts[0].ground);
+}
+
+/// The greatest distance, in pixels, of the middle of a chord from the circle that is the curve of `state`.
+double largest_sagitta(const EditorState& state, const FigureForm& form, core::Point center, double radius) {
+    const render::Figure figure = figure_of(state, form, {600.0, 400.0});
+    const glm::dvec2 middle = render::screen_from_world(state.view.camera, center);
+    double largest = 0.0;
+    for (const render::DrawCommand& command : figure.parts.front().list.commands) {
+        const auto* line = std::get_if<render::Polyline>(&command);
+        if (line == nullptr || line->points.size() < 20) continue;
+        for (std::size_t k = 0; k + 1 < line->points.size(); ++k) {
+            const glm::dvec2 chord = 0.5 * (glm::dvec2(line->points[k]) + glm::dvec2(line->points[k + 1]));
+            largest = std::max(largest, state.view.camera.scale * radius - glm::distance(chord, middle));
+        }
+    }
+    return largest;
+}
+
+TEST(FigureScene, draws_finer_lines_where_it_will_be_enlarged) {
+    EditorState state = sample_state();
+    core::Document document = state.history.present();
+    document.curves.front().curve = std::make_shared<const core::Curve>(core::circle({1.0, 2.0}, 3.0).value());
+    document.curves.resize(1);
+    state = Editor(std::move(document)).state();
+    state.view.overlays.show(Overlay::polygon, false);
+    FigureForm form;
+    pose_for_figure(state, form, {600.0, 400.0});
+    EXPECT_GT(largest_sagitta(state, form, {1.0, 2.0}, 3.0), 0.02) << "pixels need no more";
+    form.fineness = fineness_to_enlarge;
+    const double fine = largest_sagitta(state, form, {1.0, 2.0}, 3.0);
+    EXPECT_GT(fine, 0.0);
+    EXPECT_LT(fine, 0.25 / 16.0 + 1e-4) << "the last bits of floats";
 }
 
 TEST(FigureScene, keeps_the_camera_of_the_window) {
