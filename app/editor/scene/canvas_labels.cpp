@@ -3,12 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/control_polygon.h"
 #include "app/editor/scene/label_layout.h"
+#include "app/editor/scene/shown_parameter.h"
 #include "app/editor/scene/text_size.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/number_column.h"
@@ -66,6 +69,9 @@ class LabelWriter {
 
     LabelLayout& layout() { return layout_; }
 
+    /// Whether every label lies on a ground, since it is dense everywhere.
+    bool has_grounds() const { return has_grounds_; }
+
     /// Words side by side around `point`, if that is in the picture. Returns false where there is no room for them.
     bool write(glm::dvec2 point, std::vector<LabelWord> words, double distance, LabelSide first, Crowding crowding,
                bool has_ground = false) {
@@ -74,20 +80,28 @@ class LabelWriter {
         return set(place, std::move(words), distance, has_ground);
     }
 
-    /// Begins the next label of a figure, and writes it on the side and at the distance where it stood in the frame
-    /// before; where it covers symbols, on a ground. Returns false where it was not there, or would cover now what
-    /// `crowding` forbids.
-    bool write_as_before(glm::dvec2 point, const std::vector<LabelWord>& words, Crowding crowding,
-                         bool has_ground = false) {
-        if (!is_figure(frame_) || words.empty()) return false;
+    /// Begins the next label. In figures it is known by its text in the next frame, and stays on the side and at the
+    /// distance where it stood in the frame before as long as `crowding` allows it: what it covers is faint then.
+    /// Returns false where it is not written yet.
+    bool begin(glm::dvec2 point, const std::vector<LabelWord>& words, Crowding crowding, bool has_ground = false) {
+        if (!is_figure(frame_)) return false;
         key_ = frame_.cache.label_spots().next(words.front().text);
         const auto spot = frame_.cache.label_spots().spot(key_);
         if (!spot || !is_seen(point)) return false;
         const auto place_within = [&](Crowding limit) {
             return layout_.place_on(spot->side, point, size_px(words), frame_.pen.px(spot->distance), limit);
         };
-        if (set(place_within(std::min(crowding, Crowding::leave_out)), words, spot->distance, has_ground)) return true;
-        return crowding == Crowding::cover_symbols && set(place_within(crowding), words, spot->distance, true);
+        return set(place_within(Crowding::cover_nothing), words, spot->distance, has_ground) ||
+               set(place_within(crowding), words, spot->distance, true);
+    }
+
+    /// The label that was begun, as write() does, at the first of `distances` where it has room; in figures on a ground
+    /// where it covers symbols.
+    bool write_at_one_of(std::span<const double> distances, glm::dvec2 point, const std::vector<LabelWord>& words,
+                         LabelSide first, Crowding crowding, bool has_ground = false) {
+        const bool lies_on_ground = has_ground || (is_figure(frame_) && crowding == Crowding::cover_symbols);
+        return std::ranges::any_of(
+            distances, [&](double distance) { return write(point, words, distance, first, crowding, lies_on_ground); });
     }
 
   private:
@@ -113,6 +127,7 @@ class LabelWriter {
         double x = is_from_right ? place->box.upper_px.x : place->box.lower_px.x;
         for (LabelWord& word : words) {
             word.style.anchor = is_from_right ? render::Anchor::right : render::Anchor::left;
+            word.style.gap = &word == &words.front() ? 0.0 : word_gap;
             const double width = width_px(word) + frame_.pen.px(word_gap);
             frame_.pen.text({x, place->position.y}, word.text, word.style);
             x += is_from_right ? -width : width;
@@ -155,13 +170,12 @@ std::vector<Crowding> crowdings_until(const CanvasFrame& frame, Crowding last) {
     return {Crowding::cover_nothing, Crowding::leave_out, last};
 }
 
-/// Around the point, farther away where it is crowded there, then over symbols; nowhere else. Returns false where there
-/// is no room.
-bool write_around(LabelWriter& writer, glm::dvec2 point, const std::vector<LabelWord>& words, double nearest,
-                  Crowding crowding) {
-    for (double distance = nearest; distance <= nearest + farther_in_figure; distance += wished_step)
-        if (writer.write(point, words, distance, LabelSide::upper_right, crowding)) return true;
-    return false;
+/// From where a label is beside its point to where it is farther away since it is crowded there, in steps.
+std::vector<double> distances_until(double nearest, double farthest) {
+    std::vector<double> distances;
+    for (double distance = nearest; distance <= std::max(nearest, farthest); distance += wished_step)
+        distances.push_back(distance);
+    return distances;
 }
 
 /// A name, which may have a weight beside it.
@@ -185,16 +199,20 @@ PointName name_of_point(const CanvasFrame& frame, NumberColumn weights, const Mo
     return name;
 }
 
-/// Of figures, which nobody can move to make room: with its weight, if need be farther away, else without, else over
-/// what is there.
+/// Of figures, which nobody can move to make room: with its weight, if need be farther away, else without; over symbols
+/// only where these are so dense that single ones do not matter.
 void write_name_in_figure(LabelWriter& writer, CanvasFrame& frame, PointName name) {
-    if (writer.write_as_before(name.place, name.words, Crowding::leave_out)) return;
-    if (write_around(writer, name.place, name.words, name.distance, Crowding::cover_nothing)) return;
-    if (writer.write(name.place, name.words, name.distance, LabelSide::upper_right, Crowding::leave_out)) return;
+    const std::vector<double> distances = distances_until(name.distance, name.distance + farther_in_figure);
+    const auto write = [&](Crowding crowding, std::size_t count) {
+        return writer.write_at_one_of(std::span(distances).first(count), name.place, name.words, LabelSide::upper_right,
+                                      crowding);
+    };
+    if (writer.begin(name.place, name.words, Crowding::leave_out)) return;
+    if (write(Crowding::cover_nothing, distances.size()) || write(Crowding::leave_out, 1)) return;
     if (name.words.size() > 1) frame.cache.unplaced().push_back(fmt::format("w_{{{}}}", name.index));
     name.words.resize(1);
-    for (const Crowding crowding : {Crowding::cover_nothing, Crowding::leave_out, Crowding::cover_symbols})
-        if (write_around(writer, name.place, name.words, name.distance, crowding)) return;
+    const Crowding last = writer.has_grounds() ? Crowding::cover_symbols : Crowding::leave_out;
+    if (write(Crowding::cover_nothing, distances.size()) || write(last, distances.size())) return;
     frame.cache.unplaced().push_back(name.words.front().text);
 }
 
@@ -217,6 +235,10 @@ void note_nameless(CanvasFrame& frame, const ShownPoints& points) {
 
 void write_point_names(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
     const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
+    std::vector<glm::dvec2> places;
+    for (const MarkPlace& point : points.large)
+        places.push_back(frame.screen(frame.curve->control_points()[point.index]));
+    writer.layout().tell_apart(std::move(places));
     for (const MarkPlace& point : points.large) {
         const std::size_t i = point.index;
         const glm::dvec2 place = frame.screen(frame.curve->control_points()[i]);
@@ -236,20 +258,23 @@ void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) 
     if (knot.multiplicity < 2) return;
     const render::Color color = knot.is_lit ? frame.theme.accent : frame.theme.dim;
     const std::vector<LabelWord> words{{knot_text(knot), {.color = color, .size = detail_size}}};
-    if (writer.write_as_before(knot.places.back(), words, Crowding::leave_out)) return;
-    if (is_figure(frame) && write_around(writer, knot.places.back(), words, knot_distance, Crowding::cover_nothing))
-        return;
-    if (!writer.write(knot.places.back(), words, knot_distance, LabelSide::upper_right, Crowding::cover_symbols))
-        frame.cache.unplaced().push_back(knot_text(knot));
+    const std::vector<double> distances =
+        distances_until(knot_distance, is_figure(frame) ? knot_distance + farther_in_figure : knot_distance);
+    if (writer.begin(knot.places.back(), words, Crowding::leave_out)) return;
+    for (const Crowding crowding : crowdings_until(frame, Crowding::cover_symbols))
+        if (writer.write_at_one_of(distances, knot.places.back(), words, LabelSide::upper_right, crowding)) return;
+    frame.cache.unplaced().push_back(words.front().text);
 }
 
 void write_wished(LabelWriter& writer, CanvasFrame& frame, const WishedLabel& label) {
-    if (writer.write_as_before(label.place, label.words, label.crowding, label.has_ground)) return;
+    if (label.words.empty()) return;
+    const double farthest = is_figure(frame) ? label.distance + farther_in_figure : label.distance;
+    const std::vector<double> distances = distances_until(label.distance, std::max(label.farthest, farthest));
+    if (writer.begin(label.place, label.words, label.crowding, label.has_ground)) return;
     for (const Crowding crowding : crowdings_until(frame, label.crowding))
-        for (double distance = label.distance; distance <= std::max(label.distance, label.farthest);
-             distance += wished_step)
-            if (writer.write(label.place, label.words, distance, label.first, crowding, label.has_ground)) return;
-    if (!label.words.empty()) frame.cache.unplaced().push_back(label.words.front().text);
+        if (writer.write_at_one_of(distances, label.place, label.words, label.first, crowding, label.has_ground))
+            return;
+    frame.cache.unplaced().push_back(label.words.front().text);
 }
 
 /// The points of the construction, which move with u: only the name of C(u) gives way to them, so that the others stay.
@@ -272,12 +297,13 @@ void spare_control_points(LabelWriter& writer, const CanvasFrame& frame, const S
 void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     avoid_construction(writer, frame);
     const glm::dvec2 place = frame.screen(frame.triangle->point());
-    const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
+    const std::string text = fmt::format("C({})", shown_parameter(frame.state.view, *frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
-    if (writer.write_as_before(place, {{text, style}}, Crowding::cover_symbols)) return;
+    constexpr std::array distances{13.0, 24.0, 36.0, 52.0, 72.0};
+    const std::vector<LabelWord> words{{text, style}};
+    if (writer.begin(place, words, Crowding::cover_symbols)) return;
     for (const Crowding crowding : crowdings_until(frame, Crowding::cover_symbols))
-        for (const double distance : {13.0, 24.0, 36.0, 52.0, 72.0})
-            if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, crowding)) return;
+        if (writer.write_at_one_of(distances, place, words, LabelSide::lower_right, crowding)) return;
     frame.cache.unplaced().push_back(text);
 }
 
@@ -298,6 +324,9 @@ void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, const 
     for (const render::DrawCommand& command : list.commands)
         if (const auto* label = std::get_if<render::Label>(&command)) writer.layout().avoid_box(box_of_label(*label));
     const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
+    std::vector<glm::dvec2> places;
+    for (const MovingPoint& point : points) places.push_back(point.place);
+    writer.layout().tell_apart(std::move(places));
     for (const MovingPoint& point : points)
         if (point.opacity > 0.0)
             write_name_in_figure(

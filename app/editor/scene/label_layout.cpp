@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "render/clip.h"
@@ -77,6 +79,32 @@ double cost_limit(Crowding crowding) {
     return impossible;
 }
 
+double distance_to(const render::PixelBox& box, glm::dvec2 point) {
+    return glm::distance(point, glm::clamp(point, box.lower_px, box.upper_px));
+}
+
+double distance_to_leg(glm::dvec2 a, glm::dvec2 b, glm::dvec2 point) {
+    const glm::dvec2 leg = b - a;
+    const double square = glm::dot(leg, leg);
+    const double share = square > 0.0 ? std::clamp(glm::dot(point - a, leg) / square, 0.0, 1.0) : 0.0;
+    return glm::distance(point, a + share * leg);
+}
+
+/// The last of the points behind `first` to which one leg stands for the line, so that a line costs the same however
+/// finely it is drawn.
+std::size_t end_of_leg(std::span<const glm::dvec2> points, std::size_t first) {
+    constexpr std::size_t most_points = 8;
+    constexpr double nearness_px = 0.25;
+    const auto is_near = [&](std::size_t last) {
+        return std::ranges::all_of(points.subspan(first, last - first), [&](glm::dvec2 point) {
+            return distance_to_leg(points[first], points[last], point) <= nearness_px;
+        });
+    };
+    std::size_t end = first + 1;
+    while (end + 1 < points.size() && end - first < most_points && is_near(end + 1)) ++end;
+    return end;
+}
+
 LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
     const glm::dvec2 direction = direction_to(side);
     const bool is_diagonal = direction.x != 0.0 && direction.y != 0.0;
@@ -141,11 +169,14 @@ void LabelLayout::add_block(Kind kind, const render::PixelBox& box) {
 
 void LabelLayout::add_lines(Kind kind, std::span<const glm::dvec2> points) {
     const render::PixelBox picture{{}, size_px_};
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        if (const auto part = render::clip_segment(picture, points[i], points[i + 1])) {
-            const glm::dvec2 leg = points[i + 1] - points[i];
+    for (std::size_t i = 0; i + 1 < points.size();) {
+        const std::size_t end = end_of_leg(points, i);
+        if (const auto part = render::clip_segment(picture, points[i], points[end])) {
+            const glm::dvec2 leg = points[end] - points[i];
             add_line(kind, points[i] + part->first * leg, points[i] + part->last * leg);
         }
+        i = end;
+    }
 }
 
 void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
@@ -215,6 +246,15 @@ double LabelLayout::cost(const render::PixelBox& box, double limit) {
     return total();
 }
 
+bool LabelLayout::belongs_to(const render::PixelBox& box, glm::dvec2 point) const {
+    if (std::ranges::find(named_, point) == named_.end()) return true;
+    const double own = distance_to(box, point);
+    const double one_mark = 0.5 * (box.upper_px.y - box.lower_px.y);
+    return std::ranges::all_of(named_, [&](glm::dvec2 other) {
+        return glm::distance(other, point) < one_mark || distance_to(box, other) > own;
+    });
+}
+
 std::optional<LabelPlace> LabelLayout::best_of(std::span<const LabelSide> sides, glm::dvec2 point, glm::dvec2 text_px,
                                                double offset_px, Crowding crowding) {
     std::optional<LabelPlace> best;
@@ -223,7 +263,7 @@ std::optional<LabelPlace> LabelLayout::best_of(std::span<const LabelSide> sides,
         if (least == 0.0) break;
         const LabelPlace candidate = place_at(point, text_px, offset_px, side);
         const double sum = cost(candidate.box, least);
-        if (sum < least) {
+        if (sum < least && belongs_to(candidate.box, point)) {
             least = sum;
             best = candidate;
         }

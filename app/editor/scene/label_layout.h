@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/coverage_map.h"
@@ -49,6 +50,10 @@ class LabelLayout {
     /// of pixels.
     void avoid_ink(std::span<const render::CoverageMap* const> maps);
 
+    /// From now on a label around one of `points` stands nearer to it than to any other one, so that it is not read as
+    /// the name of that; points less than half of a label's height apart are one mark to the eye.
+    void tell_apart(std::vector<glm::dvec2> points) { named_ = std::move(points); }
+
     /// A place for a text of `text_px` that begins `offset_px` sideways of `point`, and about half as far above or
     /// below; `first` is tried first. None when every place would cover another label, leave
     /// the picture, or what `crowding` forbids.
@@ -89,6 +94,8 @@ class LabelLayout {
     void add_block(Kind kind, const render::PixelBox& box);
     /// What `obstacle` adds to the cost of `box`.
     static double cost_of(const Obstacle& obstacle, const render::PixelBox& box);
+    /// Whether what stands in `box` is read as the name of `point`.
+    bool belongs_to(const render::PixelBox& box, glm::dvec2 point) const;
     /// What the box would cover; no more is counted once that reaches `limit`.
     double cost(const render::PixelBox& box, double limit);
 
@@ -96,6 +103,7 @@ class LabelLayout {
     std::size_t column_count_;
     std::size_t row_count_;
     std::vector<std::vector<Obstacle>> cells_;  ///< obstacles by the cells of the picture that they touch
+    std::vector<glm::dvec2> named_;             ///< points whose labels are told apart
     std::size_t look_count_ = 0;
 };
 

@@ -48,6 +48,24 @@ TEST(LabelLayout, stays_on_a_side_that_is_told) {
     EXPECT_FALSE(layout.place_on(LabelSide::lower_left, point, text, 11.0, Crowding::cover_symbols)) << "it is taken";
 }
 
+TEST(LabelLayout, stands_nearer_to_its_point_than_to_another_one_with_a_name) {
+    LabelLayout layout(picture);
+    layout.tell_apart({point, point + glm::dvec2(30.0, -8.0)});
+    const auto found = place(layout);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->side, LabelSide::upper_left) << "to the upper right it would be the name of the other one";
+    LabelLayout crowded(picture);
+    std::vector<glm::dvec2> around{point};
+    for (const glm::dvec2 way : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1), glm::dvec2(1, -1)})
+        for (const double sign : {-14.0, 14.0}) around.push_back(point + sign * way);
+    crowded.tell_apart(around);
+    EXPECT_FALSE(place(crowded));
+    EXPECT_TRUE(place(crowded, point + glm::dvec2(2.0, 0.0))) << "what has no such name may stand there";
+    LabelLayout doubled(picture);
+    doubled.tell_apart({point, point + glm::dvec2(3.0, -1.0)});
+    EXPECT_TRUE(place(doubled)) << "both are one mark to the eye";
+}
+
 TEST(LabelSpots, tells_labels_apart_by_what_does_not_change) {
     LabelSpots spots;
     spots.put(spots.next("C(1/4)"), {LabelSide::left, 13.0});
