@@ -77,7 +77,7 @@ struct CheckMotion {
     Checked operator()(const MergedKnot& knot) const {
         const std::size_t count = curve.knots().stored().size();
         if (knot.index >= count)
-            return tl::unexpected(core::sentence("there is no knot {index}; they have the indices 0 to {last}",
+            return tl::unexpected(core::sentence("there is no knot {index}; the knots have the indices 0 to {last}",
                                                  {{"index", knot.index}, {"last", count - 1}}));
         const auto next = next_knot(curve, knot.index);
         if (!next)
@@ -120,6 +120,8 @@ tl::expected<FigureFrames, std::string> FigureFrames::make(const core::Document&
     view.overlays = order.overlays;
     view.parts = order.parts;
     if (order.at) view.parameter = *order.at;
+    // Numbers that run would be fractions here and there.
+    if (order.motion) view.notation.numbers = editor::NumberStyle::decimals;
     pose_for_figure(frames.posed_, order.form, order.size_px);
     return frames;
 }

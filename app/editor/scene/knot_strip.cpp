@@ -132,12 +132,13 @@ void draw_axis(PlotFrame& frame) {
         stretch(part, {.color = render::blended(frame.theme.accent, 0.6, frame.theme.panel), .width = 4.0});
 }
 
-/// As many digits as tell places of the shown range apart.
+/// As many digits as tell places of the shown range apart, or a fraction that has no last digit.
 std::string value_text(const PlotFrame& frame, double value) {
     if (value == 0.0) return "0";
     const double decades =
         std::floor(std::log10(std::abs(value))) - std::floor(std::log10(frame.layout.range.length()));
-    return number_text(value, static_cast<int>(std::clamp(decades + 4.0, 4.0, 17.0)));
+    return unrounded_text(frame.state.view.notation, value,
+                          number_text(value, static_cast<int>(std::clamp(decades + 4.0, 4.0, 17.0))));
 }
 
 std::string detail_text(const PlotFrame& frame, const KnotStack& stack) {

@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "app/editor/scene/shown_parameter.h"
 #include "app/editor/scene/text_size.h"
 #include "app/editor/words/formula.h"
-#include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -28,7 +28,7 @@ void draw_level(PlotFrame& frame, double value) {
 
 std::string readout_text(const PlotFrame& frame) {
     const Playback& playback = frame.state.view.playback;
-    const std::string u = parameter_text(frame.curve, frame.u);
+    const std::string u = shown_parameter(frame.state.view, frame.curve, frame.u);
     return playback.is_playing ? fmt::format("▶ {}× u = {}", number_text(playback.speed, 2), u)
                                : fmt::format("u = {}", u);
 }
@@ -40,11 +40,21 @@ struct TitlePatterns {
 };
 constexpr TitlePatterns basis_title{"Basis functions N_{{i,{degree}}}(u)", "N_{{i,{degree}}}(u)"};
 constexpr TitlePatterns bernstein_title{"Bernstein polynomials B_{{i,{degree}}}(u)", "B_{{i,{degree}}}(u)"};
+constexpr TitlePatterns rational_title{"Basis functions N_{{i,{degree}}}(u), dashed: R_{{i,{degree}}}(u)",
+                                       "N_{{i,{degree}}}, R_{{i,{degree}}}"};
+constexpr TitlePatterns rational_bernstein_title{
+    "Bernstein polynomials B_{{i,{degree}}}(u), dashed: R_{{i,{degree}}}(u)", "B_{{i,{degree}}}, R_{{i,{degree}}}"};
+
+const TitlePatterns& title_patterns(const PlotFrame& frame) {
+    const bool is_bezier = frame.state.derived.of(frame.curve.knots())->is_bezier;
+    if (frame.curve.is_rational() && frame.state.view.overlays.is_shown(Overlay::rational_basis))
+        return is_bezier ? rational_bernstein_title : rational_title;
+    return is_bezier ? bernstein_title : basis_title;
+}
 
 /// The name of the functions alone where there is no room for more.
 std::string title_text(const PlotFrame& frame, double room_px) {
-    const bool is_bezier = frame.state.derived.of(frame.curve.knots())->is_bezier;
-    const TitlePatterns& patterns = is_bezier ? bernstein_title : basis_title;
+    const TitlePatterns& patterns = title_patterns(frame);
     const std::string title = core::sentence(patterns.full, {{"degree", frame.curve.degree()}});
     const TextStyle style{.color = frame.theme.text, .font = render::LabelFont::bold};
     return text_size(title, frame.pen.px(style.size), style.font).x <= room_px

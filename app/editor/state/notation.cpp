@@ -174,6 +174,12 @@ std::string exact_text(const Notation& notation, double value, int digits) {
                                                                      : number_text(value, digits);
 }
 
+std::string unrounded_text(const Notation& notation, double value, std::string rounded) {
+    if (notation.numbers == NumberStyle::decimals) return rounded;
+    const std::optional<core::Fraction> fraction = fraction_to_read(value);
+    return fraction && !is_decimal(fraction->denominator) ? text_of_fraction(*fraction) : rounded;
+}
+
 std::vector<std::string> exact_texts(const Notation& notation, std::span<const double> values, int digits) {
     std::vector<core::Fraction> fractions;
     bool has_fraction = false;

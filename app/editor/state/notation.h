@@ -41,6 +41,9 @@ std::string notated(const std::string& text, const Notation& notation);
 /// All else, and everything where `notation` has decimals, is number_text with `digits`: 2.4, 7.152, 0.216, 12.06.
 std::string exact_text(const Notation& notation, double value, int digits = 4);
 
+/// `rounded`, what decimals tell of `value`, or "1/3" where no decimals tell all of a fraction of small numbers.
+std::string unrounded_text(const Notation& notation, double value, std::string rounded);
+
 /// Numbers that are read together, as those of a sum or a row: all as fractions where one of them is written so by
 /// itself and none of them has |n| > 999, else all with `digits` digits.
 std::vector<std::string> exact_texts(const Notation& notation, std::span<const double> values, int digits = 4);

@@ -155,6 +155,27 @@ TEST(PlotScene, functions_of_a_bezier_curve_are_bernstein_polynomials) {
     EXPECT_TRUE(test::has_text(test::plot_picture(test::scene_state(definition)), "Basis functions N_{i,2}(u)"));
 }
 
+TEST(PlotScene, titles_tell_what_is_dashed) {
+    core::CurveDefinition definition{
+        .degree = 2, .knots = {2, 2, 2, 5, 5, 5}, .points = {{0, 0}, {1, 2}, {2, 0}}, .weights = {1, 3, 1}};
+    EditorState state = test::scene_state(definition);
+    EXPECT_TRUE(test::has_text(test::plot_picture(state), "Bernstein polynomials B_{i,2}(u)"));
+    state.view.overlays.show(Overlay::rational_basis, true);
+    EXPECT_TRUE(test::has_text(test::plot_picture(state), "Bernstein polynomials B_{i,2}(u), dashed: R_{i,2}(u)"));
+    definition.weights = {};
+    state = test::scene_state(definition);
+    state.view.overlays.show(Overlay::rational_basis, true);
+    EXPECT_TRUE(test::has_text(test::plot_picture(state), "Bernstein polynomials B_{i,2}(u)")) << "R is B";
+}
+
+TEST(PlotScene, knots_are_fractions_where_decimals_have_no_end) {
+    EditorState state = with_knots({0, 0, 0, 0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1, 1, 1, 1});
+    const render::DrawList list = test::plot_picture(state);
+    for (const char* text : {"0", "1/3", "0.5", "2/3", "1"}) EXPECT_TRUE(test::has_text(list, text)) << text;
+    state.view.notation.numbers = NumberStyle::decimals;
+    EXPECT_TRUE(test::has_text(test::plot_picture(state), "0.3333"));
+}
+
 TEST(PlotScene, stack_has_as_many_diamonds_as_the_knot_is_multiple) {
     const EditorState state = with_knots({0, 0, 0, 0, 0.25, 0.5, 0.5, 1, 1, 1, 1});
     const PlotLayout layout = plot_layout(state, dock_size);

@@ -35,6 +35,11 @@ TEST(Notation, leaves_words_alone) {
 
 TEST(Notation, writes_small_fractions_where_they_are_wanted) {
     EXPECT_EQ(exact_text({}, 8.0 / 15.0), "8/15");
+    EXPECT_EQ(unrounded_text({}, 1.0 / 3.0, "0.3333"), "1/3");
+    EXPECT_EQ(unrounded_text({}, -5.0 / 3.0, "−1.667"), "−5/3");
+    EXPECT_EQ(unrounded_text({}, 0.5, "0.5"), "0.5") << "which is all of it";
+    EXPECT_EQ(unrounded_text({}, 0.33333, "0.3333"), "0.3333");
+    EXPECT_EQ(unrounded_text(lecture, 1.0 / 3.0, "0.3333"), "0.3333");
     EXPECT_EQ(exact_text({}, -1.0 / 6.0), "−1/6");
     EXPECT_EQ(exact_text({}, 3.0), "3");
     EXPECT_EQ(exact_text({}, 0.53331), "0.5333");
