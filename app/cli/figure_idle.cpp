@@ -13,15 +13,21 @@ namespace batten::cli {
 
 namespace {
 
+/// A figure with what it has no room for, as text.
+std::string text_of(const render::Figure& figure) {
+    return fmt::format("{}{}{}", render::svg_text(figure), fmt::join(figure.unplaced, ","),
+                       figure.lacks_legend ? "legend" : "");
+}
+
 /// None where the order cannot be read or drawn.
 std::optional<std::string> look(const FigureOptions& options, const core::Document& document) {
     const auto order = read_order(options);
     if (!order) return std::nullopt;
     auto frames = FigureFrames::make(document, *order);
     if (!frames) return std::nullopt;
-    std::string text = render::svg_text(frames->at(0.0));
+    std::string text = text_of(frames->at(0.0));
     if (order->motion)
-        for (const double share : {0.5, 1.0}) text += render::svg_text(frames->at(share));
+        for (const double share : {0.5, 1.0}) text += text_of(frames->at(share));
     return text;
 }
 

@@ -9,9 +9,9 @@
 
 namespace batten::cli {
 
-/// The words of `options.show`, as they were typed, each of which changes nothing of a figure of `document`, and of its
-/// first, middle and last frame where something moves. Without words none. The options can be read, and the curve
-/// moves as they ask. Cost: those pictures once for all words and once for each.
+/// The words of `options.show`, as they were typed, each of which changes nothing of a figure of `document`, or of what
+/// that has no room for, and of its first, middle and last frame where something moves. Without words none. The options
+/// can be read, and the curve moves as they ask. Cost: those pictures once for all words and once for each.
 std::vector<std::string> idle_words(const FigureOptions& options, const core::Document& document);
 
 /// A sentence about them; they are not none.

@@ -214,6 +214,30 @@ class Svg(FigureTest):
             if size == "300x200":
                 self.assertEqual([name for name in told if name.startswith("P")], [])
 
+    def test_labels_find_room_where_there_is_some(self):
+        self.figure("a.svg", "--show", "polygon,points,labels,blossoms", "--at", "0.4", "--size", "640x360", file=self.example("cubic-de-boor"))
+        self.figure("b.svg", "--show", "end-vertices,polygon,points,labels", "--size", "640x360", file=self.example("coons-open"))
+
+    def test_names_stand_nearest_to_their_points(self):
+        """Of a crowded polygon: what would be read as the name of another point is left out, and told."""
+        points = [[math.cos(0.7 * i) * (3 + i % 3), math.sin(1.1 * i) * 2] for i in range(40)]
+        curve = {"degree": 3, "knots": [0, 0, 0, *range(38), 37, 37, 37], "points": points}
+        output = self.figure("a.svg", "--show", "points,labels", "--size", "500x300", file=self.document(curves=[curve]), told=None)
+        picture = Picture(output)
+        places = picture.circles_of(6.5)
+        self.assertEqual(len(places), 40)
+        named = 0
+        for text in picture.root.iter(SVG + "text"):
+            name = "".join(text.itertext())
+            width, height = 8.0 + 5.5 * (len(name) - 1), 13.0
+            x, y = float(text.get("x")), float(text.get("y")) - 0.36 * 13.0
+            left = {"middle": x - 0.5 * width, "end": x - width}.get(text.get("text-anchor"), x)
+            distances = [math.dist((px, py), (min(max(px, left), left + width), min(max(py, y - 0.5 * height), y + 0.5 * height))) for px, py in places]
+            named += 1
+            nearest, own = distances.index(min(distances)), int(name[1:])
+            self.assertTrue(nearest == own or math.dist(places[nearest], places[own]) < 8.0, f"{name} is nearest to {nearest}")
+        self.assertGreater(named, 8)
+
     def test_an_arrow_tells_the_direction(self):
         bare, arrow = (Picture(self.figure("a.svg", "--show", show)) for show in ("", "arrow"))
         self.assertEqual(len(arrow.lines) - len(bare.lines), 1)
@@ -413,12 +437,12 @@ class Svg(FigureTest):
 
 class Pixels(FigureTest):
     def test_sizes_are_multiplied_by_the_scale(self):
-        width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--scale", "2.5").read_bytes())
+        width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--scale", "2.5", "--show", "polygon").read_bytes())
         self.assertEqual((width, height, len(rows)), (500, 250, 250))
         self.assertEqual(rows[0][0], (251, 251, 253, 255), "the canvas of the light theme")
 
     def test_all_pixels_are_whole(self):
-        width, height, rows = pixels(self.figure("a.png", "--size", "201x101", "--scale", "1.5").read_bytes())
+        width, height, rows = pixels(self.figure("a.png", "--size", "201x101", "--scale", "1.5", "--show", "polygon").read_bytes())
         self.assertEqual((width, height), (302, 152))
         self.assertEqual({rows[y][x] for x, y in ((301, 0), (301, 151), (0, 151))}, {(251, 251, 253, 255)})
 
@@ -477,6 +501,12 @@ class Papers(FigureTest):
         text = self.figure("b.tex", "--title", "A point on a curve, $P_3$").read_text()
         self.assertIn("A point on a curve, $P_3$", text)
 
+    def test_letters_of_no_font_are_told(self):
+        told = "no font of these figures has 曲, 線: boxes stand there; an SVG figure has them as text, for the fonts of what shows it\n"
+        for name in ("a.png", "a.pdf"):
+            self.figure(name, "--title", "曲線 Кривая ⅓ 曲", told=told)
+        self.assertIn("曲線", self.figure("a.svg", "--title", "曲線").read_text())
+
     def test_indices_and_fractions_are_formulas(self):
         text = self.figure("a.tex", "--show", "points,labels,corner-cutting", "--at", "1/2", file=EXAMPLES / "coons-open.json").read_text()
         self.assertIn("$P_{0}$", text)
@@ -502,6 +532,11 @@ class IdleWords(FigureTest):
     def test_what_adds_something_is_not_told(self):
         self.assertEqual(self.told("--show", "polygon,points,labels,knots,comb"), "")
         self.assertEqual(self.told(file=self.line()), "", "nothing was asked for by name")
+
+    def test_what_has_no_room_is_told_as_that(self):
+        told = self.told("--size", "200x150", "--at", "0.4", "--show", "polygon,points,labels,knots,deboor,legend")
+        self.assertIn("there was no room for the legend", told)
+        self.assertNotIn("legend adds nothing", told)
 
     def test_of_an_animation_all_parts_count(self):
         self.assertEqual(self.told("--show", "points,deboor", "--animate", "u=0..1", "--frames", "2", name="%d.svg"), "")
@@ -644,7 +679,7 @@ class Animations(FigureTest):
     def test_movies_of_odd_sizes_have_the_ground_up_to_the_edge(self):
         self.needs("ffmpeg")
         output = self.folder / "a.mp4"
-        process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "2", "-o", output, "--size", "301x201")
+        process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "2", "-o", output, "--size", "301x201", "--show", "polygon")
         self.assertEqual((process.returncode, process.stderr), (0, ""))
         subprocess.run(["ffmpeg", "-loglevel", "error", "-i", output, "-frames:v", "1", self.folder / "a.png"], check=True)
         width, height, rows = pixels((self.folder / "a.png").read_bytes())
@@ -671,7 +706,7 @@ class Animations(FigureTest):
         for name in ("a.gif", "a.mp4"):
             environment = dict(os.environ, TMPDIR=str(temporary))
             output = self.folder / name
-            process = subprocess.run([BINARY, "figure", WAVE, "--animate", "u=0..1", "--frames", "7", "-o", output, "--size", "301x201"], capture_output=True, text=True, check=False, env=environment)
+            process = subprocess.run([BINARY, "figure", WAVE, "--animate", "u=0..1", "--frames", "7", "-o", output, "--size", "301x201", "--show", "polygon"], capture_output=True, text=True, check=False, env=environment)
             self.assertEqual((process.returncode, process.stderr), (0, ""))
             probe = subprocess.run(["ffprobe", "-v", "error", "-count_packets", "-show_entries", "stream=nb_read_packets,width,height", "-of", "csv=p=0", output], capture_output=True, text=True, check=True)
             width, height, frames = (int(n) for n in probe.stdout.strip().split(","))
@@ -727,6 +762,7 @@ class Refusals(FigureTest):
         self.refused(2, "'x.doc' has the ending of no figure".replace("x.doc", str(self.folder / "x.doc")), output="x.doc")
         self.refused(2, "a GIF or MP4 needs --animate", output="x.gif")
         self.refused(2, "--transparent: an MP4 has a ground; GIF and numbered PNG may have none", "--animate", "u=0..1", "--transparent", output="x.mp4")
+        self.refused(2, "--rate: numbered frames have none; GIF and MP4 have one", "--animate", "u=0..1", "--rate", "10", output="%d.svg")
         self.refused(2, "--format is needed for standard output", output="-")
         self.refused(2, "--scale: nan is no number above 0", "--scale", "nan", output="x.png")
         self.refused(2, "x-%03d.png' is a pattern for the frames that --animate makes", output="x-%03d.png")
@@ -745,7 +781,7 @@ class Refusals(FigureTest):
     def test_wrong_input(self):
         self.refused(1, "the parameter 1.5 is outside the domain; it must be from 0 to 1", "--at", "1.5")
         self.refused(1, "the parameter 2 is outside", "--animate", "u=0..2", output="%d.svg")
-        self.refused(1, "there is no knot 99; they have the indices 0 to 10", "--animate", "merge=99", output="%d.svg")
+        self.refused(1, "there is no knot 99; the knots have the indices 0 to 10", "--animate", "merge=99", output="%d.svg")
         self.refused(1, "no knot is larger than knot 10", "--animate", "merge=10", output="%d.svg")
         self.refused(1, "no knot 0 can come in: there are 4 of them already, the most that there may be", "--animate", "insert=0", output="%d.svg")
         self.refused(1, "knot 4 cannot go to 0.5: 2 knots are there already, the most that there may be", "--animate", "merge=4", output="%d.svg", file=EXAMPLES / "circle-nurbs.json")
