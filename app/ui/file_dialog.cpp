@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "app/editor/commands/dropped_file.h"
 #include "app/editor/commands/figure_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
@@ -54,7 +55,10 @@ const FilePurpose* purpose_of(editor::Dialog dialog) {
                     "No folders and no files with curves here.",
                     {},
                     [](const PanelContext& context, const fs::path& path) {
-                        context.queue.run(editor::Open{path, context.panels.file_dialog.format});
+                        if (const auto& format = context.panels.file_dialog.format)
+                            context.queue.run(editor::Open{path, format});
+                        else
+                            context.queue.run(editor::command_for_file(context.state, path, true));
                     }},
         FilePurpose{
             editor::Dialog::save_file, "Save as", "Save", "No folders and no files with curves here.", {}, nullptr},
