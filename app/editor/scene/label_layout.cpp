@@ -83,25 +83,51 @@ double distance_to(const render::PixelBox& box, glm::dvec2 point) {
     return glm::distance(point, glm::clamp(point, box.lower_px, box.upper_px));
 }
 
-double distance_to_leg(glm::dvec2 a, glm::dvec2 b, glm::dvec2 point) {
-    const glm::dvec2 leg = b - a;
-    const double square = glm::dot(leg, leg);
-    const double share = square > 0.0 ? std::clamp(glm::dot(point - a, leg) / square, 0.0, 1.0) : 0.0;
-    return glm::distance(point, a + share * leg);
-}
+/// The legs from one point that pass near all points since.
+class LegsFrom {
+  public:
+    explicit LegsFrom(glm::dvec2 start) : start_(start) {}
+
+    /// Whether the leg to `point` is such a one; `point` is one of them then.
+    bool reaches(glm::dvec2 point) {
+        const glm::dvec2 way = point - start_;
+        const double distance = glm::length(way);
+        if (distance < reach_ || (is_bounded_ && (cross(first_, way) < 0.0 || cross(way, last_) < 0.0))) return false;
+        reach_ = distance;
+        if (distance > nearness_px) narrow_to(way, distance);
+        return true;
+    }
+
+  private:
+    static constexpr double nearness_px = 0.25;
+
+    static double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+    void narrow_to(glm::dvec2 way, double distance) {
+        const double sine = nearness_px / distance;
+        const double cosine = std::sqrt(1.0 - sine * sine);
+        const glm::dvec2 aside = sine * glm::dvec2(-way.y, way.x);
+        const glm::dvec2 first = cosine * way - aside;
+        const glm::dvec2 last = cosine * way + aside;
+        if (!is_bounded_ || cross(first_, first) > 0.0) first_ = first;
+        if (!is_bounded_ || cross(last, last_) > 0.0) last_ = last;
+        is_bounded_ = true;
+    }
+
+    glm::dvec2 start_;
+    double reach_ = 0.0;
+    bool is_bounded_ = false;
+    glm::dvec2 first_{};  ///< the directions between which they run
+    glm::dvec2 last_{};
+};
 
 /// The last of the points behind `first` to which one leg stands for the line, so that a line costs the same however
 /// finely it is drawn.
 std::size_t end_of_leg(std::span<const glm::dvec2> points, std::size_t first) {
-    constexpr std::size_t most_points = 8;
-    constexpr double nearness_px = 0.25;
-    const auto is_near = [&](std::size_t last) {
-        return std::ranges::all_of(points.subspan(first, last - first), [&](glm::dvec2 point) {
-            return distance_to_leg(points[first], points[last], point) <= nearness_px;
-        });
-    };
+    LegsFrom legs(points[first]);
     std::size_t end = first + 1;
-    while (end + 1 < points.size() && end - first < most_points && is_near(end + 1)) ++end;
+    legs.reaches(points[end]);
+    while (end + 1 < points.size() && legs.reaches(points[end + 1])) ++end;
     return end;
 }
 

@@ -66,6 +66,21 @@ TEST(LabelLayout, stands_nearer_to_its_point_than_to_another_one_with_a_name) {
     EXPECT_TRUE(place(doubled)) << "both are one mark to the eye";
 }
 
+TEST(LabelLayout, a_line_costs_the_same_however_finely_it_is_drawn) {
+    for (const std::size_t count : {2U, 30U, 20000U}) {
+        // On all sides of the point, and there and back.
+        std::vector<glm::dvec2> across;
+        for (const double y : {-12.0, 12.0, -12.0})
+            for (std::size_t k = 0; k < count; ++k)
+                across.push_back(
+                    point + glm::dvec2(200.0 * (static_cast<double>(k) / static_cast<double>(count - 1)) - 100.0, y));
+        LabelLayout layout(picture);
+        layout.avoid_line(across);
+        EXPECT_TRUE(layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::leave_out)) << count;
+        EXPECT_FALSE(layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_nothing)) << count;
+    }
+}
+
 TEST(LabelSpots, tells_labels_apart_by_what_does_not_change) {
     LabelSpots spots;
     spots.put(spots.next("C(1/4)"), {LabelSide::left, 13.0});
