@@ -22,21 +22,21 @@ constexpr std::array definitions{
         "where there is one."},
     Definition{"\\mathbb", "[1]{\\mathbf{#1}}"},
     Definition{"\\mathscr", "[1]{\\mathcal{#1}}"},
-    Definition{"\\bm", "[1]{\\mbox{\\boldmath$#1$}}"},
-    Definition{"\\boldsymbol", "[1]{\\mbox{\\boldmath$#1$}}"},
+    Definition{"\\bm", R"([1]{\mbox{\boldmath$#1$}})"},
+    Definition{"\\boldsymbol", R"([1]{\mbox{\boldmath$#1$}})"},
     Definition{"\\text", "[1]{\\mbox{#1}}"},
-    Definition{"\\operatorname", "[1]{\\mathop{\\mathrm{#1}}\\nolimits}"},
-    Definition{"\\tfrac", "[2]{{\\textstyle\\frac{#1}{#2}}}"},
-    Definition{"\\dfrac", "[2]{{\\displaystyle\\frac{#1}{#2}}}"},
-    Definition{"\\cfrac", "[2]{{\\displaystyle\\frac{#1}{#2}}}"},
+    Definition{"\\operatorname", R"([1]{\mathop{\mathrm{#1}}\nolimits})"},
+    Definition{"\\tfrac", R"([2]{{\textstyle\frac{#1}{#2}}})"},
+    Definition{"\\dfrac", R"([2]{{\displaystyle\frac{#1}{#2}}})"},
+    Definition{"\\cfrac", R"([2]{{\displaystyle\frac{#1}{#2}}})"},
     Definition{"\\implies", "{\\Longrightarrow}"},
     Definition{"\\varnothing", "{\\emptyset}"},
     Definition{"\\dotsc", "{\\ldots}"},
     Definition{"\\dotsb", "{\\cdots}"},
     Definition{"\\lvert", "{\\mathopen|}"},
     Definition{"\\rvert", "{\\mathclose|}"},
-    Definition{"\\lVert", "{\\mathopen\\|}"},
-    Definition{"\\rVert", "{\\mathclose\\|}"}};
+    Definition{"\\lVert", R"({\mathopen\|})"},
+    Definition{"\\rVert", R"({\mathclose\|})"}};
 
 /// Whether `tex` has the command itself, not one whose name is longer.
 bool has_command(std::string_view tex, std::string_view command) {
