@@ -26,9 +26,10 @@ FileError error_at(std::size_t line, std::size_t column, std::string what) {
     return {sentence("line {line}, column {column}", {{"line", line}, {"column", column}}), std::move(what)};
 }
 
-// Whether it does not begin as numbers do.
+// Whether it does not begin as numbers do, and stands in the place of none.
 bool is_name(std::string_view cell) {
-    return !cell.empty() && std::string_view("0123456789+-.,").find(cell.front()) == std::string_view::npos;
+    return !cell.empty() && std::string_view("0123456789+-.,").find(cell.front()) == std::string_view::npos &&
+           !means_no_number(cell);
 }
 
 // Goes through the lines of a table whose dialect is known.
@@ -64,8 +65,9 @@ class PointReader {
     // Whether line `i`, with none but headings above, is one.
     bool is_heading(std::size_t i) {
         split(lines_[i].text, dialect_.separator, cells_);
-        const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells_, is_meant_as_number));
-        if (numbers == 0) return cells_.size() == 1 || std::ranges::any_of(cells_, is_name);
+        const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells_, has_number));
+        if (numbers == 0)
+            return std::ranges::any_of(cells_, is_name) || (cells_.size() == 1 && !means_no_number(cells_.front()));
         return i == 0 && dialect_.separator == TableSeparator::blank && is_title_with_numbers(numbers);
     }
 
@@ -75,8 +77,25 @@ class PointReader {
         return numbers < 2 || (lines_.size() > 1 && cells_.size() != cell_count(1));
     }
 
+    // How many lines stand above one that names x and y, with it; 0 where one of them is a row, or none names these.
+    std::size_t count_to_names() {
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            split(lines_[i].text, dialect_.separator, cells_);
+            if (names_x_and_y()) return i + 1;
+            if (is_row(i)) break;
+        }
+        return 0;
+    }
+
+    // Whether line `i`, which is split, is of numbers, or of a name and numbers with as many cells as the line below.
+    bool is_row(std::size_t i) {
+        const std::size_t count = cells_.size();
+        if (std::ranges::none_of(cells_, is_name)) return count > 1;
+        return std::ranges::count_if(cells_, has_number) > 1 && i + 1 < lines_.size() && cell_count(i + 1) == count;
+    }
+
     std::size_t skip_headings() {
-        std::size_t first = 0;
+        std::size_t first = count_to_names();
         while (first < lines_.size() && is_heading(first)) ++first;
         if (first == lines_.size()) return first;
         table_.column_count = cell_count(first);
@@ -129,7 +148,26 @@ class PointReader {
         return named.x != 0 && named.y != 0 ? std::optional(named) : std::nullopt;
     }
 
+    // Whether a name, be it that of a column or that of a point, and two numbers stand above lines of numbers.
+    bool has_name_above_numbers() {
+        split(lines_.front().text, dialect_.separator, cells_);
+        if (lines_.size() == 1 || std::ranges::count_if(cells_, has_number) < 2 || !is_name(cells_.front()))
+            return false;
+        return std::all_of(lines_.begin() + 1, lines_.end(), [&](const TableLine& line) {
+            split(line.text, dialect_.separator, cells_);
+            return !cells_.empty() && number_in(cells_.front(), dialect_.has_decimal_commas);
+        });
+    }
+
     FileResult<void> choose_columns(std::size_t first) {
+        if (first == 0 && has_name_above_numbers()) {
+            split(lines_[first].text, dialect_.separator, cells_);
+            return tl::unexpected(error_at(
+                lines_[first].number, 1,
+                sentence("'{found}' stands above numbers, and may name its column or its point; a line with x and y "
+                         "above the numbers tells which columns are read",
+                         {{"found", quoted(cells_.front())}})));
+        }
         if (asked_) {
             table_.columns = *asked_;
             return {};
@@ -141,7 +179,7 @@ class PointReader {
         split(lines_[first].text, dialect_.separator, cells_);
         std::vector<std::size_t> found;
         for (std::size_t c = 0; c < cells_.size(); ++c)
-            if (is_meant_as_number(cells_[c])) found.push_back(c + 1);
+            if (has_number(cells_[c]) || means_no_number(cells_[c])) found.push_back(c + 1);
         if (found.size() >= 2)
             table_.columns = {found[0], found[1]};
         else if (cells_.size() < 2)
@@ -168,12 +206,14 @@ class PointReader {
         return number_in(cells_[parameter_column_ - 1], dialect_.has_decimal_commas);
     }
 
-    // Curves follow one another. Two of them may have one name, where u begins anew.
+    // Curves follow one another. Two of them may have one name, where u begins anew. The name need not be repeated.
     bool is_of_other_curve(std::optional<double> last_parameter) {
         if (curve_column_ == 0) return false;
-        const std::string_view name = curve_column_ > cells_.size() ? std::string_view() : cells_[curve_column_ - 1];
-        const std::optional<std::string_view> last_name = std::exchange(curve_, name);
         const bool is_earlier = parameter_ && last_parameter && *parameter_ < *last_parameter;
+        const bool is_later = !parameter_ || !last_parameter || *parameter_ > *last_parameter;
+        std::string_view name = curve_column_ > cells_.size() ? std::string_view() : cells_[curve_column_ - 1];
+        if (name.empty() && is_later) name = curve_.value_or(name);
+        const std::optional<std::string_view> last_name = std::exchange(curve_, name);
         if (last_name && (name != *last_name || is_earlier)) ++table_.other_curves;
         if (table_.other_curves > 0) ++table_.other_rows;
         return table_.other_curves > 0;
@@ -220,11 +260,19 @@ class PointReader {
     }
 
     const char* pattern_of_wrong(std::string_view cell) const {
-        if (has_thousands(cell)) return "'{found}' has thousands separators, which are not read";
+        if (has_thousands(cell)) {
+            const bool may_be_two =
+                dialect_.separator == TableSeparator::comma && cell.find(' ') != std::string_view::npos;
+            return may_be_two ? "'{found}' is more than one number or has thousands separators; each point needs a "
+                                "line, with a comma between x and y"
+                              : "'{found}' has thousands separators, which are not read";
+        }
         if (dialect_.has_decimal_commas) return "'{found}' is not a finite number; this table has decimal commas";
         if (may_have_thousands(cell) && dialect_.separator != TableSeparator::semicolon)
             return "'{found}' may have a decimal comma or separate thousands by it; semicolons between the columns "
                    "tell that commas are decimal";
+        if (has_several_numbers(cell))
+            return "'{found}' is more than one number; each point needs a line, with one separator between its columns";
         return "'{found}' is not a finite number; this table has decimal points";
     }
 

@@ -38,18 +38,20 @@ struct PointTable {
 /// The points in `text`, one a line. Between cells stand tabs, semicolons, commas or blanks, and decimals have a point
 /// or a comma: which of them, the whole table decides, as what makes most of its lines numbers throughout. That 1,234
 /// has a decimal comma is believed between semicolons, or where a cell like 0,5 or 12,34 tells. Cells may be quoted.
-/// Left out are empty lines, what stands behind #, and headings: lines above the numbers of nothing but names, and
-/// between blanks a title like NACA 2412 in the first line. `columns` left out are those with the headings x and y, in
-/// any case, else the first two that hold numbers. An airfoil may be given around (Selig), or as two numbers of points
-/// and then its upper and its lower side from the nose (Lednicer); the latter becomes the former. Line ends of all
-/// systems, a byte order mark, typographic minus signs and blanks do no harm. Of samples of a curve, in a table with a
-/// column u, a place that has two rows is one point; in a table with a column curve the first rows count, up to another
-/// name in it or a smaller u.
+/// Left out are empty lines, what stands behind #, and headings: lines above the numbers that have names and no number,
+/// where a name may be Na or Inf, all above one that names x and y but rows of numbers, and between blanks a title like
+/// NACA 2412 in the first line. `columns` left out are those with the headings x and y, in any case, else the first two
+/// that hold numbers. An airfoil may be given around (Selig), or as two numbers of points and then its upper and its
+/// lower side from the nose (Lednicer); the latter becomes the former. Line ends of all systems, a byte order mark,
+/// typographic minus signs and blanks do no harm. Of samples of a curve, in a table with a column u, a place that has
+/// two rows is one point; in a table with a column curve the first rows count, up to another name in it or a smaller u;
+/// an empty cell repeats the name above it, where u, if there is one, increases.
 ///
 /// The error names line and column: a cell that is empty or no finite number, also nan or #N/A in the first row, or one
-/// that has thousands separators or may have; a column that the line does not have; or a line of numbers with more
-/// columns than there are headings, where these are x and y or stand between commas, or, between commas or blanks, with
-/// others than the first one. Or there are no two columns of numbers. Cost O(n).
+/// that has thousands separators or may have, or more than one number; a first line that alone begins with a name
+/// in front of numbers, which may be that of a column or of a point; a column that the line does not have; or a line of
+/// numbers with more columns than there are headings, where these are x and y or stand between commas, or, between
+/// commas or blanks, with others than the first one. Or there are no two columns of numbers. Cost O(n).
 [[nodiscard]] FileResult<PointTable> read_point_table(std::string_view text,
                                                       std::optional<TableColumns> columns = std::nullopt);
 

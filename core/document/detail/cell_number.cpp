@@ -36,6 +36,13 @@ std::size_t count_groups(std::string_view text, char mark) {
     return is_of_digits(text, "") ? count : 0;
 }
 
+// Whether three digits end the text behind a `mark`. In India the groups in front of them have two.
+bool ends_with_group(std::string_view text, char mark) {
+    const std::size_t last = text.rfind(mark);
+    return last + 1 + group_length == text.size() && is_of_digits(text, {&mark, 1}) &&
+           is_of_digits(text.substr(last + 1), "");
+}
+
 }  // namespace
 
 std::optional<double> number_in(std::string_view cell, bool has_decimal_commas) {
@@ -80,11 +87,9 @@ bool has_thousands(std::string_view cell) {
     if (first == std::string_view::npos) return false;
     const std::size_t last = cell.find_last_of(decimal_marks);
     const char mark = cell[first];
+    if (last != std::string_view::npos && cell[last] != mark) return ends_with_group(cell.substr(0, last), mark);
     const bool may_be_decimal = decimal_marks.find(mark) != std::string_view::npos;
-    const bool has_decimals = last != std::string_view::npos && cell[last] != mark;
-    if (may_be_decimal && has_decimals) return true;
-    const std::size_t groups = count_groups(has_decimals ? cell.substr(0, last) : cell, mark);
-    return groups >= (may_be_decimal ? 2U : 1U);
+    return count_groups(cell, mark) >= (may_be_decimal ? 2U : 1U);
 }
 
 bool may_have_thousands(std::string_view cell) {
@@ -92,8 +97,19 @@ bool may_have_thousands(std::string_view cell) {
     return !cell.starts_with('0') && count_groups(cell, ',') == 1;
 }
 
-bool is_meant_as_number(std::string_view cell) {
-    return number_in(cell, false) || number_in(cell, true) || means_no_number(cell) || has_thousands(cell);
+bool has_several_numbers(std::string_view cell) {
+    constexpr std::string_view separators = " \t,;";
+    if (cell.find_first_of(separators) == std::string_view::npos || number_in(cell, true)) return false;
+    while (true) {
+        const std::size_t end = std::min(cell.find_first_of(separators), cell.size());
+        if (!number_in(cell.substr(0, end), false)) return false;
+        if (end == cell.size()) return true;
+        cell = trimmed(cell.substr(end + 1));
+    }
+}
+
+bool has_number(std::string_view cell) {
+    return number_in(cell, false) || number_in(cell, true) || has_thousands(cell) || has_several_numbers(cell);
 }
 
 }  // namespace batten::core

@@ -17,14 +17,19 @@ bool begins_error_sign(std::string_view line, std::size_t place);
 /// Whether the cell stands in the place of a number that is none: "nan", "-inf", "NA", "#N/A", "#DIV/0!".
 bool means_no_number(std::string_view cell);
 
-/// Whether the cell is a number with thousands separators for certain: "1,234.5", "1.234.567", "1 234,5", "1'234".
+/// Whether the cell is a number with thousands separators for certain: "1,234.5", "1.234.567", "1 234,5", "1'234";
+/// not "1.5,5".
 bool has_thousands(std::string_view cell);
 
 /// Whether a comma in the cell may separate thousands as well as decimals, since three digits follow it: "3,000", not
 /// "0,250".
 bool may_have_thousands(std::string_view cell);
 
-/// Whether the cell is a number with points or with commas, or means one that is not read.
-bool is_meant_as_number(std::string_view cell);
+/// Whether the cell holds more than one number, as where separators of two kinds stand between numbers: "2.5 3.5",
+/// "1.5,5", not "1,5".
+bool has_several_numbers(std::string_view cell);
+
+/// Whether the cell is a number with points, with commas or with thousands separators, or holds more than one.
+bool has_number(std::string_view cell);
 
 }  // namespace batten::core

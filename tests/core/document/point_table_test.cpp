@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace batten::core {
 namespace {
 
@@ -134,6 +136,39 @@ TEST(PointTable, a_first_line_without_numbers_in_their_places_is_no_heading) {
     }
 }
 
+// Sodium, as its content stands in a table, and what else reads like a value that is none.
+TEST(PointTable, names_of_columns_may_read_like_no_number) {
+    for (const char* text : {"x,y,Na\n1,2,3\n4,5,6", "x\ty\tInf\n1\t2\t3\n4\t5\t6", "NA\tx\ty\n0\t1\t2\n0\t4\t5",
+                             "x y nan\n1 2 3\n4 5 6", "K;Na\n1;2\n4;5"})
+        EXPECT_EQ(table_of(text).points, (Points{{1, 2}, {4, 5}})) << text;
+    EXPECT_EQ(table_of("K;Na\n1;2").headings, (std::vector<std::string>{"K", "Na"}));
+    EXPECT_NE(refusal_of_table("nan,2\n1,2\n"), "");
+}
+
+TEST(PointTable, lines_above_the_names_of_columns_are_headings) {
+    const Points points{{1, 2}, {3, 4}, {5, 6}};
+    for (const char* text : {"Points,3\nx,y\n1,2\n3,4\n5,6", "3\nX;Y\n1;2\n3;4\n5;6",
+                             "Date,2026,11,27\nx,y\n1,2\n3,4\n5,6", "Wing\nChord\t1.5\nx\ty\nmm\tmm\n1\t2\n3\t4\n5\t6"})
+        EXPECT_EQ(table_of(text).points, points) << text;
+    // Rows of numbers are no headings.
+    EXPECT_EQ(refusal_of_table("A,1,2\nB,3,4\nx,y,z\n4,5,6\n"),
+              "line 3, column 2: 'y' is not a finite number; this table has decimal points");
+    EXPECT_EQ(refusal_of_table("1,2\nx,y\n3,4\n"),
+              "line 2, column 1: 'x' is not a finite number; this table has decimal points");
+}
+
+TEST(PointTable, a_name_above_numbers_alone_is_refused) {
+    const std::string refusal =
+        " stands above numbers, and may name its column or its point; a line with x and y above the numbers tells "
+        "which columns are read";
+    EXPECT_EQ(refusal_of_table("time,2024,2025\n1,2,3\n4,5,6"), "line 1, column 1: 'time'" + refusal);
+    EXPECT_EQ(refusal_of_table("Origin\t0\t0\n1\t10\t5"), "line 1, column 1: 'Origin'" + refusal);
+    EXPECT_EQ(table_of("point,x,y\nOrigin,0,0\n1,10,5").points, (Points{{0, 0}, {10, 5}}));
+    EXPECT_EQ(refusal_of_table("O.5,1\n2,3\n"),
+              "line 1, column 1: 'O.5' is not a finite number; this table has decimal points");
+    EXPECT_EQ(table_of("Origin,0,0\nA,10,5").points, (Points{{0, 0}, {10, 5}}));
+}
+
 TEST(PointTable, comments_may_hold_what_looks_like_an_error) {
     EXPECT_EQ(table_of("#index x y\n# inf\n1 2 # nan\n3 4\n").points, (Points{{1, 2}, {3, 4}}));
     EXPECT_EQ(table_of("\"a#1\",1,2\n\"b#2\",3,4\n").points, (Points{{1, 2}, {3, 4}})) << "a name that is quoted";
@@ -153,8 +188,34 @@ TEST(PointTable, thousands_separators_are_refused_with_their_place) {
                 refusal_of_table("x" + std::string(1, separator) + "y\n3" + separator + "4\n5" + separator + cell),
                 "line 3, column 2" + refusal);
         }
-        EXPECT_EQ(refusal_of_table("2,\"" + std::string(cell) + "\"\n"), "line 1, column 2" + refusal);
+        const bool may_be_two = plain.find(' ') != std::string::npos;
+        EXPECT_EQ(refusal_of_table("2,\"" + std::string(cell) + "\"\n"),
+                  may_be_two ? "line 1, column 2: '" + plain +
+                                   "' is more than one number or has thousands separators; each point needs a line, "
+                                   "with a comma between x and y"
+                             : "line 1, column 2" + refusal);
     }
+}
+
+TEST(PointTable, cells_of_several_numbers_are_refused_with_their_place) {
+    const std::vector<std::array<const char*, 3>> tables{
+        {"1\t1.5,5\n2\t2.5,6", "line 1, column 2", "1.5,5"},
+        {"\"1,234.5,678.9\",2", "line 1, column 1", "1,234.5,678.9"},
+        {"1,5.3;2", "line 1, column 1", "1,5.3"},
+        {"1,2\n3,4 5,6", "line 2, column 2", "4 5"},
+        {"1.5,2.5 3.5,4.5\n5.5,6.5 7.5,8.5", "line 1, column 2", "2.5 3.5"},
+        {"1.5 2.5,3.5 4.5", "line 1, column 2", "2.5,3.5"},
+        {"1.5,2.5;3.5,4.5", "line 1, column 2", "2.5;3.5"},
+        {"a,2.5 3.5,4.5 5.5\nb,2,3", "line 1, column 2", "2.5 3.5"}};
+    for (const auto& [text, place, cell] : tables)
+        EXPECT_EQ(refusal_of_table(text), place + std::string(": '") + cell +
+                                              "' is more than one number; each point needs a line, with one separator "
+                                              "between its columns");
+    // As SVG has pairs, where the blank may separate thousands.
+    EXPECT_EQ(refusal_of_table("100,200 300,400"),
+              "line 1, column 2: '200 300' is more than one number or has thousands separators; each point needs a "
+              "line, with a comma between x and y");
+    EXPECT_EQ(table_of("x,y,parts\n1,2,3.5 4.5\n").points, (Points{{1, 2}})) << "in a column that is not read";
 }
 
 TEST(PointTable, three_digits_behind_a_comma_may_be_thousands) {
@@ -213,6 +274,14 @@ TEST(PointTable, of_several_curves_the_first_is_read_and_the_others_are_told) {
     // Two curves may have one name, or none.
     for (const char* name : {"a", "\"a\""})
         EXPECT_EQ(table_of(first + name + ",0,5,6\n" + name + ",1,7,8\n").points, two.points);
+    // A name that is not repeated goes on, unless u begins anew.
+    for (const char* text : {"curve,x,y\na,1,2\n,3,4\nb,5,6\n,5,7\n", "curve,u,x,y\na,0,1,2\n,1,3,4\nb,0,5,6\n,1,5,7\n",
+                             "curve,u,x,y\na,0,1,2\n,1,3,4\n,0,5,6\n,1,5,7\n"}) {
+        const PointTable table = table_of(text);
+        EXPECT_EQ(table.points, two.points) << text;
+        EXPECT_EQ(table.other_curves, 1U) << text;
+        EXPECT_EQ(table.other_rows, 2U) << text;
+    }
     const PointTable nameless = table_of("Curve;U;X;Y\n;0;1;2\n;1;3;4\n;0;5;6\n");
     EXPECT_EQ(nameless.points, two.points);
     EXPECT_EQ(nameless.other_rows, 1U);
