@@ -19,14 +19,14 @@ using namespace std::string_view_literals;
 
 struct FormatSign {
     Format format;
-    std::string_view text;  // that only such files have near their beginning
+    std::string_view text;          // that only such files have near their beginning
+    std::string_view other_text{};  // that stands there, too
 };
 
-constexpr std::array<FormatSign, 7> json_signs{{{Format::nurbs_python, "\"knotvector\""},
-                                                {Format::nurbs_python, "\"shape\""},
+constexpr std::array<FormatSign, 6> json_signs{{{Format::nurbs_python, "\"knotvector\""},
+                                                {Format::nurbs_python, "\"shape\"", "\"control_points\""},
                                                 {Format::opencascade, "\"multiplicities\""},
                                                 {Format::opencascade, "\"poles\""},
-                                                {Format::tinyspline, "\"dimension\""},
                                                 {Format::tinyspline, "\"control_points\""},
                                                 {Format::rhino, "\"rhino\""}}};
 
@@ -37,12 +37,14 @@ struct ForeignSign {
     std::string_view beginning;
     const char* advice;                            // in which {what} is why it is not read
     std::optional<Format> told_by = std::nullopt;  // whose reader says so itself
+    std::string_view content{};                    // that stands behind the beginning
 };
 
 constexpr const char* font_advice = "{what}; it looks like a font, of whose letters 'text-outlines' makes curves";
 
-// Of fonts, TrueType and OpenType, collections of them, those of web pages, and Type 1.
-constexpr std::array<ForeignSign, 18> foreign_signs{{
+// Of fonts, TrueType and OpenType, collections of them, those of web pages, and Type 1. Of spreadsheets, .xlsx and
+// .ods.
+constexpr std::array<ForeignSign, 20> foreign_signs{{
     {"\0\1\0\0"sv, font_advice},
     {"true\0"sv, font_advice},
     {"OTTO\0"sv, font_advice},
@@ -61,6 +63,9 @@ constexpr std::array<ForeignSign, 18> foreign_signs{{
     {"AutoCAD Binary DXF", "{what}; it looks like a binary DXF file, which programs that made it can write as text",
      Format::dxf},
     {"3D Geometry File Format", "{what}; it looks like a file of Rhino, which can write it as STEP, IGES or DXF"},
+    {"PK\x03\x04", "{what}; it looks like a spreadsheet, which has to be saved as CSV", std::nullopt, "xl/"},
+    {"PK\x03\x04", "{what}; it looks like a spreadsheet, which has to be saved as CSV", std::nullopt,
+     "opendocument.spreadsheet"},
     {"PK\x03\x04", "{what}; it looks like a compressed folder, whose files can be read when it is unpacked"},
 }};
 
@@ -76,6 +81,8 @@ std::string beginning_of(const std::filesystem::path& path) {
 }
 
 bool is_json(std::string_view beginning) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (beginning.starts_with(byte_order_mark)) beginning.remove_prefix(byte_order_mark.size());
     const std::string_view text = core::trimmed(beginning);
     return text.starts_with('{') || text.starts_with('[');
 }
@@ -96,8 +103,10 @@ bool is_rhino_style(const std::filesystem::path& path, std::string_view beginnin
 }
 
 std::optional<Format> format_with_sign(std::span<const FormatSign> signs, std::string_view beginning) {
-    const auto sign = std::ranges::find_if(
-        signs, [&](const FormatSign& each) { return beginning.find(each.text) != std::string_view::npos; });
+    const auto sign = std::ranges::find_if(signs, [&](const FormatSign& each) {
+        return beginning.find(each.text) != std::string_view::npos &&
+               beginning.find(each.other_text) != std::string_view::npos;
+    });
     return sign == signs.end() ? std::nullopt : std::optional(sign->format);
 }
 
@@ -119,12 +128,12 @@ core::FileError with_advice(core::FileError error, const std::filesystem::path& 
     if (is_native(text)) {
         if (!read) return error;
         return advised(
-            "{what}; it looks like a file of Batten itself, whose name ends in .json alone and for which no format is "
-            "chosen",
+            "{what}; it looks like a file of Batten itself: choose no format, and let its name end in .json alone",
             std::move(error));
     }
-    const auto* const foreign =
-        std::ranges::find_if(foreign_signs, [&](const ForeignSign& each) { return text.starts_with(each.beginning); });
+    const auto* const foreign = std::ranges::find_if(foreign_signs, [&](const ForeignSign& each) {
+        return text.starts_with(each.beginning) && text.find(each.content) != std::string::npos;
+    });
     if (foreign != foreign_signs.end())
         return read && foreign->told_by == read ? error : advised(foreign->advice, std::move(error));
     const std::optional<Format> format = format_that_fits(path, text);

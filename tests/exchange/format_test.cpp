@@ -81,11 +81,23 @@ TEST(CurveFile, AdvisesTheFormatOfEachJson) {
     }
 }
 
+// As GeoJSON, and as anything that has a size.
+TEST(CurveFile, AdvisesNothingForOtherJson) {
+    for (const char* text : {R"({"shape": {"type": "Feature"}, "x": 1})", R"({"dimension": 2, "data": [1, 2]})", "[]"})
+        EXPECT_EQ(advice("geo.json", text, std::nullopt), "why") << text;
+}
+
+TEST(CurveFile, AdvisesTheFormatOfJsonBehindAByteOrderMark) {
+    EXPECT_EQ(advice("mark.txt", std::string("\xEF\xBB\xBF") + of_tinyspline, std::nullopt),
+              "it looks like a file in the format tinyspline, which has to be chosen");
+}
+
 TEST(CurveFile, AdvisesTheNameOfItsOwnFiles) {
     for (const Format format : {Format::svg, Format::dxf, Format::rhino, Format::tinyspline})
         EXPECT_EQ(advice("own.txt", of_batten, format),
-                  "it looks like a file of Batten itself, whose name ends in .json alone and for which no format is "
-                  "chosen");
+                  "it looks like a file of Batten itself: choose no format, and let its name end in .json alone");
+    EXPECT_EQ(advice("own.rhino.json", std::string("\xEF\xBB\xBF") + of_batten, Format::rhino),
+              "it looks like a file of Batten itself: choose no format, and let its name end in .json alone");
     EXPECT_EQ(advice("own.txt", of_batten, std::nullopt), "why");
     // A drawing may hold such a file, and a curve of another format may have that name.
     EXPECT_EQ(advice("drawing.dxf", "<svg>{\"format\": \"batten\"}</svg>", Format::dxf),
@@ -127,6 +139,12 @@ TEST(CurveFile, AdvisesWhatToDoWithOtherFiles) {
               "it looks like a PDF file, which programs that draw, such as Inkscape, can write as SVG");
     EXPECT_EQ(advice("photo.json", "\x89PNG\r\n", std::nullopt),
               "it looks like a picture, which can be added below the curves and traced (add-picture)");
+    for (const char* content :
+         {"\x14[Content_Types].xml..xl/workbook.xml", "\x14mimetypeapplication/vnd.oasis.opendocument.spreadsheetPK"})
+        EXPECT_EQ(advice("points.bin", std::string("PK\x03\x04") + content, std::nullopt),
+                  "it looks like a spreadsheet, which has to be saved as CSV");
+    EXPECT_EQ(advice("drawings.zip", "PK\x03\x04\x14hull.dxf", std::nullopt),
+              "it looks like a compressed folder, whose files can be read when it is unpacked");
     EXPECT_EQ(advice("hull.dwg", "AC1032", std::nullopt),
               "it looks like a DWG file, which programs that made it can write as DXF");
     EXPECT_EQ(advice("hull.dxf", "AC1032", Format::dxf), "save it as DXF to read it") << "said by the reader";
