@@ -24,7 +24,7 @@ constexpr core::PluralPattern ends_repeated{
     "made equal to their neighbors"};
 
 constexpr const char* rest_of_list =
-    "the list of curves has something else at {place}; it and what follows it was left out";
+    "the entry at {place} of the list of curves is no object; it and what follows it was left out";
 
 // What one object says, and what there is to tell of it.
 struct Found {
@@ -202,6 +202,11 @@ void add_curve(Collector& collector, const JsonValue& object, ReadObject read, c
     if (found.has_repeated_ends) collector.notes().add(ends_repeated, place);
 }
 
+// The first entry that is a number or a row of them.
+std::optional<std::size_t> first_number(const JsonList& list) {
+    return list.numbers.empty() ? list.first_odd : std::optional<std::size_t>(0);
+}
+
 // All curves of `value`, which is one or a list of them, at `place`: empty for the top of the file.
 core::FileResult<Imported> read_curves(const JsonValue& value, ReadObject read, const std::string& place) {
     Collector collector;
@@ -210,9 +215,8 @@ core::FileResult<Imported> read_curves(const JsonValue& value, ReadObject read, 
     if (list != nullptr)
         for (std::size_t i = 0; i < list->items.size(); ++i)
             add_curve(collector, list->items[i], read, [&] { return fmt::format("{}/{}", place, i); });
-    if (list != nullptr && list->first_odd && !list->items.empty())
-        collector.notes().add({rest_of_list, rest_of_list},
-                              [&] { return fmt::format("{}/{}", place, *list->first_odd); });
+    if (const auto odd = list == nullptr ? std::nullopt : first_number(*list))
+        collector.notes().add({rest_of_list, rest_of_list}, [&] { return fmt::format("{}/{}", place, *odd); });
     return std::move(collector).finish("there are no curves in this file");
 }
 

@@ -283,9 +283,19 @@ TEST(JsonDialects, TellThatAListEndsAtANumber) {
         const auto found = read_rhino(R"({"curves": [)" + line + ", " + odd + ", " + line + "]}");
         ASSERT_TRUE(found) << found.error().sentence();
         EXPECT_EQ(found->document.curves.size(), 1U);
-        EXPECT_EQ(found->report.left_out,
-                  std::vector<std::string>{
-                      "the list of curves has something else at /curves/1; it and what follows it was left out"});
+        EXPECT_EQ(
+            found->report.left_out,
+            std::vector<std::string>{
+                "the entry at /curves/1 of the list of curves is no object; it and what follows it was left out"});
+    }
+}
+
+TEST(JsonDialects, TellThatAListBeginsWithANumber) {
+    const std::string line = R"({"degree": 1, "knots": [0, 1], "points": [[0, 0], [1, 0]]})";
+    for (const std::string& list : {"[3, " + line + "]", "[[1, 2], " + line + "]", std::string("[1, 2]")}) {
+        const std::string end = " of the list of curves is no object; it and what follows it was left out";
+        EXPECT_EQ(refusal_by(read_rhino, list), "the entry at /0" + end);
+        EXPECT_EQ(refusal_by(read_rhino, R"({"curves": )" + list + "}"), "the entry at /curves/0" + end);
     }
 }
 
@@ -293,7 +303,6 @@ TEST(JsonDialects, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal_by(read_rhino, "{\"curves\": [\n  nan]}"), "line 2, column 4: this is not JSON: invalid literal");
     EXPECT_EQ(refusal_by(read_rhino, "[1e999]"), "line 1, column 6: the number is too large; numbers must be finite");
     EXPECT_EQ(refusal_by(read_rhino, "[]"), "there are no curves in this file");
-    EXPECT_EQ(refusal_by(read_rhino, "[1, 2]"), "there are no curves in this file");
     EXPECT_EQ(refusal_by(read_rhino, "3"), "the curve at the top was left out: it is no object");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2})"),
               "the curve at the top was left out: the member \"knots\" is missing");
