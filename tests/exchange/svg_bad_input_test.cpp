@@ -105,6 +105,21 @@ TEST(BadSvg, MayDefineEntitiesThatNothingDrawnHas) {
                                        "says of shapes and colors is lost"});
 }
 
+// A path of 20,000 cubics, none of which reaches as far as its control points, in 250 frames.
+TEST(BadSvg, MayHaveManyFramesAroundManyPoints) {
+    constexpr std::size_t count = 250;
+    const auto told = [](const std::string& frame) {
+        const std::string path = "<path id='p' d='M50 50" + repeated("C50 110 60 110 50 50", 20'000) + "'/>";
+        const auto imported = read_soon("<svg viewBox='0 0 100 100'>" + repeated(frame, count) + path +
+                                        repeated("</svg>", count) + "</svg>");
+        EXPECT_TRUE(imported);
+        return imported ? imported->report.left_out : std::vector<std::string>{};
+    };
+    EXPECT_TRUE(told("<svg width='100' height='100'>").empty());
+    EXPECT_EQ(told("<svg width='100' height='100' transform='rotate(1 50 50)'>").size(), 1U)
+        << "of the ninth turned one the control points count";
+}
+
 TEST(BadSvg, MayBeNestedDeep) {
     constexpr std::size_t depth = 100'000;
     const auto imported = read_soon(

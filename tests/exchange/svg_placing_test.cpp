@@ -322,6 +322,13 @@ TEST(SvgFrames, ThatCutShapesOffAreTold) {
     EXPECT_EQ(told("<symbol id='s' viewBox='0 0 2 2'><path id='p' d='M0 0h3'/></symbol><use href='#s' width='9' "
                    "height='9'/>"),
               cut);
+    // Each axis has room of its own, and that which rounding of the numbers of the page needs.
+    const auto flat = [&](const std::string& y) {
+        return told("<svg y='20' width='1000' height='1e-6'><path id='p' d='M0 0L10 " + y + "'/></svg>");
+    };
+    EXPECT_EQ(flat("1e-6"), none);
+    EXPECT_EQ(flat("1.5e-6"), cut);
+    EXPECT_EQ(flat("1.001e-6"), cut);
     EXPECT_EQ(inner("", "<path id='p' d='M0 0h31'/><path d='M0 0v41'/>"),
               std::vector<std::string>{"2 shapes are read whole, first 'p', though the inner drawings or symbols that "
                                        "they are in cut them off"});
