@@ -60,6 +60,14 @@ CssValue value_in(std::string_view text) {
     return value;
 }
 
+// Whether CSS drops it: sizes of fonts need a unit, but for 0.
+bool is_invalid(SvgProperty property, std::string_view value) {
+    if (property != SvgProperty::font_size) return false;
+    Scanner scanner(value);
+    const auto number = scanner.number();
+    return number && *number != 0.0 && scanner.is_at_end();
+}
+
 }  // namespace
 
 std::optional<SvgProperty> svg_property(std::string_view name) {
@@ -87,7 +95,9 @@ void read_declarations(std::string_view text, const CssDeclaration& declaration)
         const std::size_t colon = next.find(':');
         if (colon == std::string_view::npos) continue;
         const auto property = svg_property(core::trimmed(next.substr(0, colon), svg_blanks));
-        if (property) declaration(*property, value_in(next.substr(colon + 1)));
+        if (!property) continue;
+        const CssValue value = value_in(next.substr(colon + 1));
+        if (!is_invalid(*property, value.text)) declaration(*property, value);
     }
 }
 

@@ -74,8 +74,8 @@ void take(const CssValue& value, CssValue& place);
 
 using CssDeclaration = std::function<void(SvgProperty property, const CssValue& value)>;
 
-/// Hands each declaration of `text` about a property that is looked at to `declaration`; order and specificity are left
-/// to it. Cost O(n).
+/// Hands each declaration of `text` about a property that is looked at to `declaration`, but for sizes of fonts without
+/// a unit, which CSS drops; order and specificity are left to it. Cost O(n).
 void read_declarations(std::string_view text, const CssDeclaration& declaration);
 
 }  // namespace batten::exchange

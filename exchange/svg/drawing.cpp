@@ -77,14 +77,14 @@ class Walk {
     explicit Walk(const xml_node& svg) : svg_(svg), prefix_(prefix_of(svg)), names_(core::Document()) { index_ids(); }
 
     SvgDrawing drawing() && {
-        const Page page = page_of(svg_);
-        drawing_.units = page.units;
         const SvgProperties properties(svg_, sheet_);
+        FontSizes font = font_within(properties, {});
+        font.root = font.own;
+        const Page page = page_of(svg_, font);
+        drawing_.units = page.units;
         const auto is_part = [&](SvgProperty size) { return properties.in_style(size).ends_with('%'); };
         if (!is_part(SvgProperty::width) && !is_part(SvgProperty::height)) tell_styled_size(svg_, properties);
         Surroundings around{.map = page.map, .viewport = page.viewport};
-        around.viewport.font = font_within(properties, {});
-        around.viewport.font.root = around.viewport.font.own;
         around.style = around.style.within(properties);
         around.look = around.look.within(properties);
         if (const auto map = transform_of(properties, page.viewport))
@@ -100,6 +100,7 @@ class Walk {
   private:
     // Without recursion, since this goes as deep as the file does.
     void index_ids() {
+        if (svg_.root().child("xml-stylesheet")) sheet_.leave_out_file(drawing_.notes);
         const auto entities = entity_names(svg_.root());
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);

@@ -81,6 +81,16 @@ bool is_harmless(std::string_view rule) {
     return rule.starts_with("@font-face") || rule.starts_with("@charset") || rule.starts_with("@page");
 }
 
+// Whether a rule inside of others sets a font.
+bool has_font(std::string block) {
+    std::ranges::replace_if(
+        block, [](char c) { return c == '{' || c == '}'; }, ';');
+    bool found = false;
+    read_declarations(
+        block, [&](SvgProperty property, const CssValue&) { found = found || property >= SvgProperty::font_size; });
+    return found;
+}
+
 // Whether it is the first one of its property.
 bool add_value(std::vector<std::pair<SvgProperty, CssValue>>& values, SvgProperty property, const CssValue& value) {
     const auto known = std::ranges::find(values, property, &std::pair<SvgProperty, CssValue>::first);
@@ -103,22 +113,31 @@ std::string quoted(std::string_view selector) {
 void StyleSheet::add(const pugi::xml_node& style, Notes& notes) {
     const std::string_view media = core::trimmed(style.attribute("media").value(), svg_blanks);
     if (!is_css(style) || media == "print") return;
-    if (!media.empty() && media != "all" && media != "screen")
-        return notes.add(svg_loss::style_rule, [&] { return quoted(media); });
+    if (!media.empty() && media != "all" && media != "screen") return leave_out_rule(media, text_of(style), notes);
     std::string_view rest = texts_.emplace_back(text_of(style));
     for (rest = core::trimmed(rest, svg_blanks); !rest.empty(); rest = core::trimmed(rest, svg_blanks)) {
         if (rest.starts_with('@')) {
             const std::size_t end = find_outside(rest, ";{");
-            const std::string_view rule = rest.substr(0, end);
-            if (!is_harmless(rule)) notes.add(svg_loss::style_rule, [&] { return quoted(rule); });
             const bool has_block = end < rest.size() && rest[end] == '{';
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-            if (has_block) taken(rest, find_outside(rest, "}"));
+            const std::string_view rule = taken(rest, end);
+            const std::string_view block = has_block ? taken(rest, find_outside(rest, "}")) : std::string_view();
+            if (!is_harmless(rule)) leave_out_rule(rule, block, notes);
             continue;
         }
         const std::string_view selectors = taken(rest, find_outside(rest, "{"));
         add_rule(selectors, taken(rest, find_outside(rest, "}")), notes);
     }
+}
+
+void StyleSheet::leave_out_file(Notes& notes) {
+    leaves_out_fonts_ = true;
+    notes.add(svg_loss::style_sheet, [] { return std::string(); });
+}
+
+void StyleSheet::leave_out_rule(std::string_view rule, std::string_view block, Notes& notes) {
+    const bool is_import = rule.starts_with("@import") || block.find("@import") != std::string_view::npos;
+    leaves_out_fonts_ = leaves_out_fonts_ || is_import || has_font(std::string(block));
+    notes.add(svg_loss::style_rule, [&] { return quoted(rule); });
 }
 
 void StyleSheet::add_rule(std::string_view selectors, std::string_view declarations, Notes& notes) {

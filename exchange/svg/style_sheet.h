@@ -20,13 +20,17 @@ class StyleSheet {
     /// not read, and may change what is, is told in `notes`. Cost O(n).
     void add(const pugi::xml_node& style, Notes& notes);
 
+    /// Tells of a style sheet outside of the file, of which nothing is read.
+    void leave_out_file(Notes& notes);
+
     /// Hands each value for `element` to `declaration`, in no order. Cost O(words of its class and values).
     void read(const pugi::xml_node& element, const CssDeclaration& declaration) const;
 
-    /// Whether a rule that is not read sets a font, in whose size lengths can be said.
+    /// Whether a rule that is not read sets a font, in whose size lengths can be said, or may do so.
     bool leaves_out_fonts() const { return leaves_out_fonts_; }
 
   private:
+    void leave_out_rule(std::string_view rule, std::string_view block, Notes& notes);
     void add_rule(std::string_view selectors, std::string_view declarations, Notes& notes);
 
     std::list<std::string> texts_{};  // which the values are parts of

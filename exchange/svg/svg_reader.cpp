@@ -30,11 +30,6 @@ core::FileResult<void> check_text(std::string_view text) {
     return {};
 }
 
-// Whether the file has its styles elsewhere, where nothing is read.
-bool has_style_sheet(const pugi::xml_document& file) {
-    return static_cast<bool>(file.child("xml-stylesheet"));
-}
-
 // Why a drawing has no curves.
 std::string refusal_of_nothing(const SvgDrawing& drawing) {
     const std::vector<std::string> left_out = drawing.notes.sentences();
@@ -58,7 +53,6 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     if (local_name(svg) != "svg")
         return refused_file(core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
     SvgDrawing drawing = drawing_of(svg);
-    if (has_style_sheet(file)) drawing.notes.add(svg_loss::style_sheet, [] { return std::string(); });
     NativeCopy copy = native_copy(svg, drawing);
     if (copy.document)
         return Imported{.document = *std::move(copy.document),

@@ -97,11 +97,6 @@ double shown_length(double of_box, double shown) {
     return std::abs(shown - of_box) <= rounding * of_box ? of_box : shown;
 }
 
-std::optional<SvgLength> positive_length(const pugi::xml_node& element, const char* name) {
-    const auto length = read_length(element.attribute(name).value());
-    return length && length->value > 0.0 ? length : std::nullopt;
-}
-
 // Of `use`, where it has such a length, else of `element`.
 bool is_zero_length(const pugi::xml_node& use, const pugi::xml_node& element, const char* name) {
     const auto length = read_length((use.attribute(name) ? use : element).attribute(name).value());
@@ -116,6 +111,15 @@ std::optional<double> in_px(const SvgLength& length, std::optional<double> whole
     if (length.unit == "em") return times(font.own);
     if (length.unit == "rem") return times(font.root);
     return length.in_px(whole.value_or(0.0));
+}
+
+// In px where it is written in sizes of the font; none where these are not known.
+std::optional<SvgLength> positive_length(const pugi::xml_node& element, const char* name, const FontSizes& font) {
+    const auto length = read_length(element.attribute(name).value());
+    if (!length || !(length->value > 0.0)) return std::nullopt;
+    if (length->unit != "em" && length->unit != "rem") return length;
+    const auto px = in_px(*length, std::nullopt, font);
+    return px ? std::optional(SvgLength{*px, "px"}) : std::nullopt;
 }
 
 // The room of a viewport along one axis, where the file says it.
@@ -145,7 +149,7 @@ std::optional<SvgLength> read_length(std::string_view text) {
 
 FontSizes FontSizes::within(const SvgProperties& properties) const {
     const std::string_view size = properties[SvgProperty::font_size];
-    const std::string_view font = properties[SvgProperty::font];
+    const std::string_view font = properties.in_style(SvgProperty::font);  // which no attribute says
     if (!font.empty() && font != "inherit") return {.own = std::nullopt, .root = root};
     if (size.empty() || size == "inherit") return *this;
     if (size == "medium") return {.own = medium, .root = root};
@@ -165,13 +169,14 @@ std::optional<double> Viewport::length(const pugi::xml_node& element, const char
     return in_px(*found, is_along_x ? width : is_along_y ? height : diagonal, font);
 }
 
-Page page_of(const pugi::xml_node& svg) {
+Page page_of(const pugi::xml_node& svg, const FontSizes& font) {
     const auto box = view_box(svg);
-    const auto width = positive_length(svg, "width");
-    const auto height = positive_length(svg, "height");
+    const auto width = positive_length(svg, "width", font);
+    const auto height = positive_length(svg, "height", font);
     Page page;
     page.viewport = box.value_or(Viewport{.width = width ? width->in_px(0.0).value_or(0.0) : 0.0,
                                           .height = height ? height->in_px(0.0).value_or(0.0) : 0.0});
+    page.viewport.font = font;
     const Viewport& view = page.viewport;
     const double width_px = width ? width->in_px(0.0).value_or(0.0) : 0.0;
     const double height_px = height ? height->in_px(0.0).value_or(0.0) : 0.0;

@@ -59,8 +59,9 @@ struct Page {
 };
 
 /// Coordinates of the document are those of the viewBox. y is counted up from the line `batten:baseline` where the
-/// file has it, as ours do; else from the lower edge. Lengths have the unit of the width or height.
-Page page_of(const pugi::xml_node& svg);
+/// file has it, as ours do; else from the lower edge. Lengths have the unit of the width or height, px where these are
+/// in sizes of `font`, which is that of `svg`.
+Page page_of(const pugi::xml_node& svg, const FontSizes& font = {});
 
 /// The map of an svg or symbol element inside, which stands in a box of `outer`; and its viewport.
 struct InnerViewport {

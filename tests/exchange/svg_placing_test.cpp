@@ -243,10 +243,31 @@ TEST(SvgLengths, MayBeInSizesOfTheFont) {
     EXPECT_EQ(right_end("<rect width='2em' height='1px' font-size='3'/>"), 6) << "of its own font";
     EXPECT_EQ(right_end("<g font-size='3'><circle r='2rem'/></g>", "font-size='10'"), 20);
     EXPECT_EQ(right_end("<defs><path id='a' d='M0 0h1'/></defs><use href='#a' x='1em'/>"), 17);
+    EXPECT_EQ(right_end("<g style='font-size:20'>" + rect + "</g>"), 32) << "CSS drops what has no unit";
+    EXPECT_EQ(right_end("<style>g{font-size:20}</style><g font-size='10'>" + rect + "</g>"), 20);
+    EXPECT_EQ(right_end("<g style='font-size:10px;font-size:20'>" + rect + "</g>"), 20);
+    EXPECT_EQ(right_end("<g font='Arial'>" + rect + "</g>"), 32) << "which is no attribute";
+    EXPECT_EQ(right_end("<style>@font-face{font-size:3px}</style>" + rect), 32);
     EXPECT_EQ(right_end("<svg x='1em' font-size='5'><path d='M0 0h1'/></svg>"), 6);
     EXPECT_EQ(right_end("<symbol id='s' viewBox='0 0 2 2'><path d='M0 0h1'/></symbol>"
                         "<use href='#s' width='1em' height='1em'/>"),
               8);
+}
+
+TEST(SvgLengths, OfThePageMayBeInSizesOfTheFont) {
+    const auto page =
+        read_svg("<svg width='10em' height='5rem' style='font-size:10px'><rect width='50%' height='20%'/></svg>");
+    ASSERT_TRUE(page);
+    EXPECT_TRUE(page->report.left_out.empty());
+    EXPECT_EQ(core::control_box(curve_of(*page)).lower, Point(0, 40));
+    EXPECT_EQ(core::control_box(curve_of(*page)).upper, Point(50, 50));
+    EXPECT_EQ(page->document.units, (core::DocumentUnits{.unit = core::LengthUnit::px}));
+    const auto scaled = read_svg("<svg width='10em' height='10em' viewBox='0 0 80 80'><path d='M0 0h1'/></svg>");
+    EXPECT_EQ(scaled->document.units, (core::DocumentUnits{.unit = core::LengthUnit::px, .scale = 0.5}));
+    EXPECT_EQ(read_svg("<svg width='10em' font-size='larger'><path d='M0 0h1'/><rect width='50%' height='1'/></svg>")
+                  ->report.left_out.size(),
+              1U)
+        << "of a font of unknown size";
 }
 
 TEST(SvgLengths, ThatTheFileDoesNotSayAreTold) {
@@ -265,6 +286,19 @@ TEST(SvgLengths, ThatTheFileDoesNotSayAreTold) {
         EXPECT_EQ(told("<defs><path id='a' d='M0 0h1'/></defs><use id='r' href='#a' y='" + length + "'/>"), one);
     }
     const std::string em = "<rect id='r' width='1em' height='1'/>";
+    const auto is_left_out = [&](const std::string& elements) {
+        const std::vector<std::string> sentences = told(elements);
+        return sentences.size() == 2 && sentences.front() == one.front();  // and the rule
+    };
+    EXPECT_TRUE(is_left_out("<style>@media screen { g { font-size: 30px } }</style>" + em));
+    EXPECT_TRUE(is_left_out("<style>@media screen{@supports(x:y){g{fill:red}g{font:9px x}}}</style>" + em));
+    EXPECT_TRUE(is_left_out("<style media='(width > 9px)'>g{font-size:30px}</style>" + em));
+    EXPECT_TRUE(is_left_out("<style>@import 'a.css';</style>" + em));
+    EXPECT_TRUE(is_left_out("<style media='(width > 9px)'>@import 'a.css';</style>" + em));
+    const auto beside_sheet =
+        read_svg("<?xml-stylesheet href='a.css'?><svg viewBox='0 0 9 9'><path d='M0 0h1'/>" + em + "</svg>");
+    EXPECT_EQ(beside_sheet->document.curves.size(), 1U);
+    EXPECT_EQ(beside_sheet->report.left_out.front(), one.front());
     EXPECT_EQ(told(em, "font-size='larger'"), one);
     EXPECT_EQ(told(em, "style='font:12px serif'"), one);
     EXPECT_EQ(told("<style>g > rect{font-size:3px}</style>" + em), one);
