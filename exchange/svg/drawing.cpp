@@ -12,7 +12,6 @@
 #include "core/base/utf8.h"
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/conditions.h"
-#include "exchange/svg/entities.h"
 #include "exchange/svg/frame.h"
 #include "exchange/svg/look.h"
 #include "exchange/svg/losses.h"
@@ -74,7 +73,10 @@ struct Surroundings {
 
 class Walk {
   public:
-    explicit Walk(const xml_node& svg) : svg_(svg), prefix_(prefix_of(svg)), names_(core::Document()) { index_ids(); }
+    Walk(const xml_node& svg, Notes notes) : svg_(svg), prefix_(prefix_of(svg)), names_(core::Document()) {
+        drawing_.notes = std::move(notes);
+        index_ids();
+    }
 
     SvgDrawing drawing() && {
         const SvgProperties properties(svg_, sheet_);
@@ -101,11 +103,9 @@ class Walk {
     // Without recursion, since this goes as deep as the file does.
     void index_ids() {
         if (svg_.root().child("xml-stylesheet")) sheet_.leave_out_file(drawing_.notes);
-        const auto entities = entity_names(svg_.root());
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
-            if (const auto entity = used_entity(node, entities)) tell(svg_loss::entity, shortened(*entity));
             if (local_name(node) == "style" && prefix_of(node) == prefix_) sheet_.add(node, drawing_.notes);
             if (node.first_child()) {
                 node = node.first_child();
@@ -365,8 +365,8 @@ std::string_view local_name(const xml_node& element) {
     return name.substr(name.find(':') + 1);
 }
 
-SvgDrawing drawing_of(const xml_node& svg) {
-    return Walk(svg).drawing();
+SvgDrawing drawing_of(const xml_node& svg, Notes notes) {
+    return Walk(svg, std::move(notes)).drawing();
 }
 
 }  // namespace batten::exchange

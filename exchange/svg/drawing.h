@@ -20,8 +20,8 @@ struct SvgDrawing {
     Notes looks{};                    ///< of what curves do not have beyond a color, and of the page
 };
 
-/// Walks through `svg`, the outermost element, as read_svg() says.
-SvgDrawing drawing_of(const pugi::xml_node& svg);
+/// Walks through `svg`, the outermost element, as read_svg() says. What is left out is added to `notes`.
+SvgDrawing drawing_of(const pugi::xml_node& svg, Notes notes);
 
 /// The name without the prefix of its namespace.
 std::string_view local_name(const pugi::xml_node& element);

@@ -1,21 +1,15 @@
 /// The entities that an SVG file defines for itself, which are not expanded.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <pugixml.hpp>
-#include <set>
-#include <string>
 #include <string_view>
+
+#include "exchange/notes.h"
 
 namespace batten::exchange {
 
-/// The names of the entities that the DOCTYPE of `file`, the root of the tree, defines.
-std::set<std::string, std::less<>> entity_names(const pugi::xml_node& file);
-
-/// The first of the entities `names` that stands in an attribute or a text of `element` itself, but for names of
-/// namespaces, from which nothing is drawn. Cost O(length of these).
-std::optional<std::string_view> used_entity(const pugi::xml_node& element,
-                                            const std::set<std::string, std::less<>>& names);
+/// Tells in `left_out` which elements of `text`, an SVG file, have entities that its DOCTYPE defines, in an attribute
+/// or a text; names of namespaces do not count, from which nothing is drawn, nor does what is escaped or commented.
+/// Nothing where `text` is no XML. Cost O(n log(entities)).
+void tell_entities(std::string_view text, Notes& left_out);
 
 }  // namespace batten::exchange

@@ -117,7 +117,7 @@ NativeCopy left_out_since(const char* sentence) {
 }  // namespace
 
 void embed_document(pugi::xml_node svg, const core::Document& document) {
-    const SvgDrawing drawing = drawing_of(svg);
+    const SvgDrawing drawing = drawing_of(svg, {});
     pugi::xml_node copy = svg.prepend_child("metadata").append_child(copy_name);
     copy.append_attribute(curves_mark) = fingerprint_of_curves(drawing).c_str();
     copy.append_attribute(looks_mark) = fingerprint_of_looks(drawing).c_str();

@@ -10,6 +10,7 @@
 #include "exchange/places.h"
 #include "exchange/refusal.h"
 #include "exchange/svg/drawing.h"
+#include "exchange/svg/entities.h"
 #include "exchange/svg/losses.h"
 #include "exchange/svg/native_copy.h"
 
@@ -43,6 +44,8 @@ std::string refusal_of_nothing(const SvgDrawing& drawing) {
 
 core::FileResult<Imported> read_svg(std::string_view text) {
     if (const auto check = check_text(text); !check) return tl::unexpected(check.error());
+    Notes entities;
+    tell_entities(text, entities);
     pugi::xml_document file;
     const pugi::xml_parse_result parsed =
         file.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_pi);
@@ -52,7 +55,7 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     const pugi::xml_node svg = file.document_element();
     if (local_name(svg) != "svg")
         return refused_file(core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
-    SvgDrawing drawing = drawing_of(svg);
+    SvgDrawing drawing = drawing_of(svg, std::move(entities));
     NativeCopy copy = native_copy(svg, drawing);
     if (copy.document)
         return Imported{.document = *std::move(copy.document),

@@ -105,6 +105,39 @@ TEST(BadSvg, MayDefineEntitiesThatNothingDrawnHas) {
                                        "says of shapes and colors is lost"});
 }
 
+TEST(BadSvg, HasNoEntitiesInCommentsParametersAndEscapes) {
+    const auto told = [](const std::string& declarations, const std::string& content) {
+        const auto imported =
+            read_svg("<!DOCTYPE svg [" + declarations + "]><svg><path d='M0 0h1' " + content + "</svg>");
+        EXPECT_TRUE(imported) << declarations;
+        return imported ? imported->report.left_out : std::vector<std::string>{};
+    };
+    const std::vector<std::string> none{};
+    const std::vector<std::string> one{
+        "'&a;' is left as it stands, since no entity of a file is expanded; what it says of shapes and colors is lost"};
+    const std::string entity = "<!ENTITY a ''>";
+    EXPECT_EQ(told(entity, "id='&a;'/>"), one);
+    EXPECT_EQ(told(entity, "id='&amp;a;'/>"), none);
+    EXPECT_EQ(told(entity, "id='&#38;a;'/>"), none);
+    EXPECT_EQ(told(entity, "/><desc>R&amp;a;</desc>"), none);
+    EXPECT_EQ(told(entity, "/><desc>&a;</desc>"), one);
+    EXPECT_EQ(told(entity, "/><desc><![CDATA[&a;]]></desc>"), none);
+    EXPECT_EQ(told("<!-- " + entity + " -->", "id='&a;'/>"), none);
+    EXPECT_EQ(told("<!-- ' -->" + entity, "id='&a;'/>"), one) << "a quote in a comment begins nothing";
+    EXPECT_EQ(told("<!ENTITY % a ''>", "id='&a;'/>"), none);
+    EXPECT_EQ(told("<!ENTITY b \"" + entity + "\">", "id='&a;'/>"), none);
+    EXPECT_EQ(told("<!ENTITY amp '&#38;#38;'>", "id='&amp;'/>"), none);
+    EXPECT_EQ(told("<!ELEMENT svg ANY>\n<!ENTITY\n\ta '>'>", "id='&a;'/>"), one);
+}
+
+// A hundred thousand of them, and two million blanks behind; what takes their product takes hours.
+TEST(BadSvg, MayDefineManyEntities) {
+    const std::string entities = repeated("<!ENTITY a ''>", 100'000) + std::string(2'000'000, ' ');
+    const auto imported = read_soon("<!DOCTYPE svg [" + entities + "]><svg><path d='M0 0h1'/></svg>");
+    ASSERT_TRUE(imported);
+    EXPECT_TRUE(imported->report.left_out.empty());
+}
+
 // A path of 20,000 cubics, none of which reaches as far as its control points, in 250 frames.
 TEST(BadSvg, MayHaveManyFramesAroundManyPoints) {
     constexpr std::size_t count = 250;
