@@ -73,8 +73,8 @@ struct Surroundings {
 
 class Walk {
   public:
-    Walk(const xml_node& svg, Notes notes) : svg_(svg), prefix_(prefix_of(svg)), names_(core::Document()) {
-        drawing_.notes = std::move(notes);
+    Walk(const xml_node& svg, Notes left_out) : svg_(svg), prefix_(prefix_of(svg)), names_(core::Document()) {
+        drawing_.left_out = std::move(left_out);
         index_ids();
     }
 
@@ -92,7 +92,7 @@ class Walk {
         if (const auto map = transform_of(properties, page.viewport))
             around.map = chained(page.map, in_view_box(*map, inner_viewport(svg_, page.viewport).map));
         else
-            tell(svg_loss::wrong_transform, name_of_element(svg_));
+            tell_change(svg_loss::wrong_transform, name_of_element(svg_));
         visit_children(svg_, around);
         group_by_layers();
         if (svg_.attribute("viewBox") || svg_.attribute("width")) drawing_.looks.add(svg_loss::page);
@@ -102,11 +102,11 @@ class Walk {
   private:
     // Without recursion, since this goes as deep as the file does.
     void index_ids() {
-        if (svg_.root().child("xml-stylesheet")) sheet_.leave_out_file(drawing_.notes);
+        if (svg_.root().child("xml-stylesheet")) sheet_.leave_out_file(drawing_.changed);
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
-            if (local_name(node) == "style" && prefix_of(node) == prefix_) sheet_.add(node, drawing_.notes);
+            if (local_name(node) == "style" && prefix_of(node) == prefix_) sheet_.add(node, drawing_.changed);
             if (node.first_child()) {
                 node = node.first_child();
                 continue;
@@ -132,7 +132,7 @@ class Walk {
         if (const auto* const loss = loss_of(name)) return tell(*loss);
         const SvgProperties properties(element, sheet_);
         if (properties[SvgProperty::display] == "none") return skip_hidden();
-        if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask)) tell(svg_loss::clipped);
+        if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask)) tell_change(svg_loss::clipped);
         if (!is_group(name) || name == "svg") tell_styled_size(element, properties);
         const Surroundings inside = within(element, properties, around);
         if (name == "use")
@@ -192,7 +192,7 @@ class Walk {
         if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
         else
-            tell(svg_loss::wrong_transform, name_of_element(element));
+            tell_change(svg_loss::wrong_transform, name_of_element(element));
         return inside;
     }
 
@@ -273,7 +273,7 @@ class Walk {
         const auto drawn = std::span(drawing_.curves).subspan(first);
         if (std::ranges::any_of(
                 drawn, [&](const core::DocumentCurve& entry) { return is_cut_off(*entry.curve, around.frame.get()); }))
-            tell(svg_loss::cut_off, name);
+            tell_change(svg_loss::cut_off, name);
         if (drawing_.curves.size() < first + 2) return;
         for (std::size_t i = first; i < drawing_.curves.size(); ++i) drawing_.curves[i].group = name;
     }
@@ -316,12 +316,16 @@ class Walk {
     }
 
     void tell_styled_size(const xml_node& element, const SvgProperties& properties) {
-        if (properties.has_styled_size()) tell(svg_loss::styled_size, name_of_element(element));
+        if (properties.has_styled_size()) tell_change(svg_loss::styled_size, name_of_element(element));
     }
 
     void tell(const core::PluralPattern& loss, const std::string& name = {}, std::string_view reason = {}) {
-        drawing_.notes.add(
+        drawing_.left_out.add(
             loss, [&] { return name; }, {}, reason);
+    }
+
+    void tell_change(const core::PluralPattern& change, const std::string& name = {}) {
+        drawing_.changed.add(change, [&] { return name; });
     }
 
     void stop(const core::PluralPattern& loss, std::size_t most) {
@@ -360,13 +364,20 @@ class Walk {
 
 }  // namespace
 
+std::vector<std::string> SvgDrawing::told() const {
+    std::vector<std::string> told = left_out.sentences();
+    const std::vector<std::string> further = changed.sentences();
+    told.insert(told.end(), further.begin(), further.end());
+    return told;
+}
+
 std::string_view local_name(const xml_node& element) {
     const std::string_view name = element.name();
     return name.substr(name.find(':') + 1);
 }
 
-SvgDrawing drawing_of(const xml_node& svg, Notes notes) {
-    return Walk(svg, std::move(notes)).drawing();
+SvgDrawing drawing_of(const xml_node& svg, Notes left_out) {
+    return Walk(svg, std::move(left_out)).drawing();
 }
 
 }  // namespace batten::exchange

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/byte_hash.h"
 #include "core/document/native_file.h"
@@ -88,9 +89,9 @@ std::string fingerprint_of_page(const pugi::xml_node& svg) {
     return fingerprint.text();
 }
 
-std::string fingerprint_of(const Notes& notes) {
+std::string fingerprint_of(const std::vector<std::string>& sentences) {
     Fingerprint fingerprint;
-    for (const std::string& sentence : notes.sentences()) fingerprint.add(sentence);
+    for (const std::string& sentence : sentences) fingerprint.add(sentence);
     return fingerprint.text();
 }
 
@@ -122,8 +123,8 @@ void embed_document(pugi::xml_node svg, const core::Document& document) {
     copy.append_attribute(curves_mark) = fingerprint_of_curves(drawing).c_str();
     copy.append_attribute(looks_mark) = fingerprint_of_looks(drawing).c_str();
     copy.append_attribute(page_mark) = fingerprint_of_page(svg).c_str();
-    copy.append_attribute(losses_mark) = fingerprint_of(drawing.notes).c_str();
-    copy.append_attribute(styles_mark) = fingerprint_of(drawing.looks).c_str();
+    copy.append_attribute(losses_mark) = fingerprint_of(drawing.told()).c_str();
+    copy.append_attribute(styles_mark) = fingerprint_of(drawing.looks.sentences()).c_str();
     copy.append_child(pugi::node_pcdata).set_value(core::format_document(document).c_str());
 }
 
@@ -146,9 +147,9 @@ NativeCopy native_copy(const pugi::xml_node& svg, const SvgDrawing& drawing) {
         found.told.emplace_back(
             "names, colors, layers, locks and what is hidden are as another program has changed them");
     }
-    if (!has_mark(losses_mark, fingerprint_of(drawing.notes)))
-        for (const std::string& sentence : drawing.notes.sentences()) found.told.push_back(sentence);
-    if (copy.attribute(styles_mark) && !has_mark(styles_mark, fingerprint_of(drawing.looks)))
+    if (const auto told = drawing.told(); !has_mark(losses_mark, fingerprint_of(told)))
+        found.told.insert(found.told.end(), told.begin(), told.end());
+    if (copy.attribute(styles_mark) && !has_mark(styles_mark, fingerprint_of(drawing.looks.sentences())))
         found.looks = drawing.looks.sentences();
     return found;
 }

@@ -33,7 +33,7 @@ core::FileResult<void> check_text(std::string_view text) {
 
 // Why a drawing has no curves.
 std::string refusal_of_nothing(const SvgDrawing& drawing) {
-    const std::vector<std::string> left_out = drawing.notes.sentences();
+    const std::vector<std::string> left_out = drawing.left_out.sentences();
     if (left_out.empty()) return "no path and no shape is drawn in this file";
     const bool is_all_hidden = left_out.size() == 1 && drawing.hidden_elements > 0;
     if (is_all_hidden) return core::sentence(svg_loss::all_hidden, drawing.hidden_elements);
@@ -60,9 +60,8 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     if (copy.document)
         return Imported{.document = *std::move(copy.document),
                         .report = {.left_out = std::move(copy.told), .looks = std::move(copy.looks)}};
-    Imported imported{.document = {},
-                      .report = {drawing.largest_error, drawing.notes.sentences(), drawing.looks.sentences()}};
     if (drawing.curves.empty()) return refused_file(refusal_of_nothing(drawing));
+    Imported imported{.document = {}, .report = {drawing.largest_error, drawing.told(), drawing.looks.sentences()}};
     auto& told = imported.report.left_out;
     told.insert(told.end(), copy.told.begin(), copy.told.end());
     imported.document.curves = std::move(drawing.curves);

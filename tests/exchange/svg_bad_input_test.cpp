@@ -53,6 +53,21 @@ TEST(BadSvg, OfWhichAllIsHiddenIsRefusedAsSuch) {
               "nothing is read from this file, since all that it draws is hidden: 2 elements are not displayed");
 }
 
+// Sentences of what is read otherwise than it is drawn give no reason.
+TEST(BadSvg, OfWhichNothingIsDrawnIsRefusedForWhatIsLeftOut) {
+    const auto refusal = [](const std::string& elements) { return read_svg(svg_file(elements)).error().sentence(); };
+    const std::string hidden = "<g style='display:none'><path d='M0 0L1 1'/></g>";
+    const std::string nothing = "no path and no shape is drawn in this file";
+    const std::string all_hidden =
+        "nothing is read from this file, since all that it draws is hidden: an element is not displayed";
+    EXPECT_EQ(refusal("<g clip-path='url(#c)'/>"), nothing);
+    EXPECT_EQ(refusal("<g transform='turn'/>"), nothing);
+    EXPECT_EQ(refusal("<style>g path{fill:red}</style>"), nothing);
+    EXPECT_EQ(refusal("<style>g path{fill:red}</style>" + hidden), all_hidden);
+    EXPECT_EQ(refusal("<g transform='turn'>" + hidden + "</g>"), all_hidden);
+    EXPECT_EQ(refusal("<g clip-path='url(#c)'><image/></g>"), "nothing is read from this file: an image is left out");
+}
+
 TEST(BadSvg, IsReadOrRefusedTruncatedAnywhere) {
     const std::string text =
         R"svg(<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "b">]><svg viewBox="0 0 10 10" width="3mm"><!-- c -->)svg"
