@@ -62,8 +62,7 @@ inline constexpr core::PluralPattern entity{
     "'&{place};' is left as it stands, since no entity of a file is expanded; what it says of shapes and colors is "
     "lost",
     "{count} elements have entities of the file, first '&{place};', of which none is expanded; what these say of "
-    "shapes "
-    "and colors is lost"};
+    "shapes and colors is lost"};
 inline constexpr core::PluralPattern style_sheet{
     "a style sheet is not read, so colors and lines may be others, and what it hides or moves is read as if it did not",
     "{count} style sheets are not read, so colors and lines may be others, and what they hide or move is read as if "
