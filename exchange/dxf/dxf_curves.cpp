@@ -156,6 +156,8 @@ MadeCurve through_fit_points(const DxfEntity& entity) {
     if (is_closed_through_points(entity)) {
         if (points.front() == points.back()) points.pop_back();
         request.ends = core::ClosedEnds{};
+    } else if (!entity.defect_of_tangents().empty()) {
+        return because(entity.defect_of_tangents());
     } else if (has_end_tangents(entity)) {
         const core::EndTangents tangents = end_tangents(entity, points);
         conditions += (tangents.start ? 1U : 0U) + (tangents.end ? 1U : 0U);

@@ -25,6 +25,15 @@ bool is_height(int code) {
     return code == 30 || code == 31 || code == 38;
 }
 
+bool is_of_tangent(int code) {
+    return code == 12 || code == 13 || code == 22 || code == 23;
+}
+
+// A thickness or a line weight, without which a curve runs as it does.
+bool is_of_look(int code) {
+    return code == 39 || code == 370;
+}
+
 std::optional<double> number_of(std::string_view text) {
     const auto number = core::leading_number(text);
     return number && number->length == text.size() ? std::optional(number->value) : std::nullopt;
@@ -46,11 +55,12 @@ void DxfEntity::take(const DxfGroup& group) {
     if (group.code == embedded_object_code) has_ended_ = true;
     if (!slot_of(group.code)) return;
     if (const auto number = number_of(group.value)) return keep(group.code, *number);
+    if (is_of_look(group.code)) return;
     constexpr std::size_t longest_quotation = 40;
-    if (defect_.empty())
-        defect_ =
-            core::sentence("line {line} has \"{found}\", but it must be a finite number",
-                           {{"line", group.line}, {"found", utf8_text(group.value.substr(0, longest_quotation))}});
+    std::string& defect = is_of_tangent(group.code) ? defect_of_tangents_ : defect_;
+    if (defect.empty())
+        defect = core::sentence("line {line} has \"{found}\", but it must be a finite number",
+                                {{"line", group.line}, {"found", utf8_text(group.value.substr(0, longest_quotation))}});
 }
 
 void DxfEntity::keep(int code, double value) {

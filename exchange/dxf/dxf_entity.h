@@ -44,8 +44,13 @@ class DxfEntity {
     /// Whether some leg of a polyline has a width.
     bool has_widths() const;
 
-    bool is_off_plane() const { return is_off_plane_; }    ///< some z or elevation is not 0
-    const std::string& defect() const { return defect_; }  ///< of the first number that is none; empty: there is none
+    bool is_off_plane() const { return is_off_plane_; }  ///< some z or elevation is not 0
+
+    /// Of the first number that is none, but for those of tangents and of the look; empty: there is none.
+    const std::string& defect() const { return defect_; }
+
+    /// Likewise of the numbers of tangents alone, 12, 13, 22 and 23.
+    const std::string& defect_of_tangents() const { return defect_of_tangents_; }
 
     /// Of a POLYLINE, whose vertices are entities of their own: begins with none, and adds one.
     void forget_vertices();
@@ -69,6 +74,7 @@ class DxfEntity {
     bool has_wide_vertex_ = false;
     bool has_ended_ = false;  // what follows belongs to an object inside it
     std::string defect_{};
+    std::string defect_of_tangents_{};
 };
 
 }  // namespace batten::exchange

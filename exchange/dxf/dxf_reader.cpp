@@ -30,10 +30,10 @@ constexpr PluralPattern interpolated{
     "{count} entities {what} have only points that they pass, the first at {place}; curves through them were made, "
     "which may be others between them"};
 constexpr PluralPattern interpolated_with_tangents{
-    "{what} at {place} has only points that it passes and tangents at its ends; a curve with these was made, which may "
-    "be another between them",
-    "{count} entities {what} have only points that they pass and tangents at their ends, the first at {place}; curves "
-    "with these were made, which may be others between them"};
+    "{what} at {place} has only points that it passes and tangents at one end or both; a curve with these was made, "
+    "which may be another between them",
+    "{count} entities {what} have only points that they pass and tangents at one end or both, the first at {place}; "
+    "curves with these were made, which may be others between them"};
 constexpr PluralPattern unit_not_known{"the unit of length at {place} is not known here and was let go",
                                        "{count} units of length are not known here and were let go"};
 

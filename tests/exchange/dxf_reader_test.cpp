@@ -258,15 +258,30 @@ TEST(DxfReader, GivesOnlyOpenSplinesTangents) {
     EXPECT_NE(curve_of(open + " 12 1 22 0"), curve_of(open));
 }
 
+TEST(DxfReader, NeedsTangentsOnlyWhereItUsesThem) {
+    const std::string points = " 12 foo 10 0 20 0 10 1 20 1 10 2 20 0";
+    EXPECT_EQ(curve_of("0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1" + points).control_points().size(), 3U);
+    const std::string fit_points = " 11 0 21 0 11 3 21 4 11 0 21 6 11 -3 21 4";
+    EXPECT_EQ(curve_of("0 SPLINE 70 1 71 3 13 foo" + fit_points), curve_of("0 SPLINE 70 1 71 3" + fit_points));
+    EXPECT_EQ(refusal_of(drawing("0 SPLINE 71 3 12 foo 22 1" + fit_points)),
+              "SPLINE at line 6 was left out: line 10 has \"foo\", but it must be a finite number");
+}
+
+TEST(DxfReader, FewFitPointsAskForLowDegrees) {
+    EXPECT_EQ(curve_of("0 SPLINE 71 3 11 0 21 0 11 1 21 0").degree(), 1);
+    EXPECT_EQ(curve_of("0 SPLINE 71 3 11 0 21 0 11 1 21 0 11 2 21 1").degree(), 2);
+    EXPECT_EQ(curve_of("0 SPLINE 71 3 12 0 22 1 11 0 21 0 11 1 21 0 11 2 21 1").degree(), 3);
+}
+
 TEST(DxfReader, SaysWhereItUsedTangents) {
     const std::string spline = " 0 SPLINE 71 3 12 1 22 0 11 0 21 0 11 3 21 4";
     EXPECT_EQ(read(spline.substr(1)).report.left_out,
-              std::vector<std::string>{"SPLINE at line 6 has only points that it passes and tangents at its ends; a "
-                                       "curve with these was made, which may be another between them"});
+              std::vector<std::string>{"SPLINE at line 6 has only points that it passes and tangents at one end or "
+                                       "both; a curve with these was made, which may be another between them"});
     EXPECT_EQ(read(spline.substr(1) + spline).report.left_out,
               std::vector<std::string>{
-                  "2 entities SPLINE have only points that they pass and tangents at their ends, the first at line 6; "
-                  "curves with these were made, which may be others between them"});
+                  "2 entities SPLINE have only points that they pass and tangents at one end or both, the first at "
+                  "line 6; curves with these were made, which may be others between them"});
 }
 
 TEST(DxfReader, SaysWhichAxisOfAnEllipseHasNoLength) {
