@@ -35,10 +35,13 @@ std::optional<core::DocumentColor> indexed_color(double index) {
     return core::DocumentColor{color[0], color[1], color[2]};
 }
 
-std::optional<core::DocumentColor> color_of(const DxfEntity& entity) {
+// Of an entity, or of a layer itself, which is on none. An index of another color is one that is not known here.
+std::optional<core::DocumentColor> color_of(const DxfEntity& entity, const DxfLook& layer) {
     constexpr double most = 16777215.0;
+    constexpr double by_layer = 256.0;
     const double found = entity.number(420, -1.0);
-    if (!(found >= 0.0 && found <= most)) return indexed_color(entity.number(62, 0.0));
+    const double index = entity.number(62, by_layer);
+    if (!(found >= 0.0 && found <= most)) return index == by_layer ? layer.color : indexed_color(index);
     const auto color = static_cast<std::uint32_t>(found);
     const auto part = [&](unsigned shift) { return static_cast<std::uint8_t>((color >> shift) & 0xffU); };
     return core::DocumentColor{part(16), part(8), part(0)};
@@ -83,8 +86,7 @@ DxfLook look_of_layer(const DxfEntity& layer) {
 
 DxfLook look_of_entity(const DxfEntity& entity, const DxfLook& layer) {
     constexpr double by_layer = -1.0;
-    const std::optional<core::DocumentColor> own = color_of(entity);
-    return {.color = own ? own : layer.color,
+    return {.color = color_of(entity, layer),
             .visible = layer.visible && entity.number(60, 0.0) == 0.0,
             .locked = layer.locked,
             .has_line_type = is_dashed(entity.line_type(), layer.has_line_type),

@@ -91,6 +91,26 @@ TEST(DxfLook, IsNotToldOfWhatIsLeftOut) {
     EXPECT_TRUE(found.report.looks.empty());
 }
 
+// Of the index, 1 is red, 5 blue, 7 black or white, and 30 an orange that is not known here; 0 is that of a block.
+TEST(DxfLook, ColorsOfLayersAreThoseOfEntitiesWithoutOneAlone) {
+    const Imported found =
+        drawing_of(" 0 LAYER 2 red 62 1", line_on("red") + line_on("red", " 62 256") + line_on("red", " 62 7") +
+                                              line_on("red", " 62 30") + line_on("red", " 62 0") +
+                                              line_on("red", " 62 5") + line_on("red", " 62 256 420 258"));
+    std::vector<std::optional<core::DocumentColor>> colors;
+    for (const core::DocumentCurve& entry : found.document.curves) colors.push_back(entry.color);
+    const core::DocumentColor red{255, 0, 0};
+    EXPECT_EQ(colors, (std::vector<std::optional<core::DocumentColor>>{red, red, std::nullopt, std::nullopt,
+                                                                       std::nullopt, core::DocumentColor{0, 0, 255},
+                                                                       core::DocumentColor{0, 1, 2}}));
+}
+
+TEST(DxfLook, CurvesAreReadWhoseThicknessOrWeightIsNoNumber) {
+    const Imported found = drawing_of("", line_on("0", " 370 1e400") + line_on("0", " 39 thick"));
+    EXPECT_EQ(found.document.curves.size(), 2U);
+    EXPECT_TRUE(found.report.left_out.empty());
+}
+
 TEST(DxfLook, LocksCurvesOfLockedLayers) {
     const Imported found = drawing_of(" 0 LAYER 2 fixed 70 4 0 LAYER 2 frozen 70 5 0 LAYER 2 free 70 64",
                                       line_on("Fixed") + line_on("frozen") + line_on("free") + line_on("other"));
