@@ -43,7 +43,7 @@ std::vector<std::string> parts_without_place(const core::Document& document, con
     if (!places.colors && has_any([](const Entry& entry) { return entry.color.has_value(); }))
         parts.emplace_back("colors");
     if (has_any([](const Entry& entry) { return !entry.group.empty(); })) parts.emplace_back("groups");
-    if (has_any([](const Entry& entry) { return entry.locked; })) parts.emplace_back("locks");
+    if (!places.locks && has_any([](const Entry& entry) { return entry.locked; })) parts.emplace_back("locks");
     if (has_any([](const Entry& entry) { return !entry.pinned.empty(); })) parts.emplace_back("pinned points");
     if (has_any([](const Entry& entry) { return entry.fit != nullptr; })) parts.emplace_back("fit points");
     if (has_any([](const Entry& entry) { return entry.symmetry.has_value(); })) parts.emplace_back("symmetries");

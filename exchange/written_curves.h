@@ -20,6 +20,7 @@ double unrolling_error(const core::Curve& curve);
 /// What a format has a place for beside open curves and their names.
 struct FormatPlaces {
     bool colors = false;
+    bool locks = false;
     bool units = false;
     bool periodic = false;
 };

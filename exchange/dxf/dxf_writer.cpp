@@ -99,9 +99,26 @@ constexpr core::PluralPattern renamed{
     "the name '{place}' has signs that names of layers cannot have, which became _",
     "{count} names have signs that names of layers cannot have, which became _, the first one '{place}'"};
 
+constexpr core::PluralPattern unlocked{
+    "the lock of '{place}' was left out, since a curve on its layer is not locked",
+    "the locks of {count} curves were left out, since curves on their layers are not locked; the first one is "
+    "'{place}'"};
+
 using Entries = std::vector<const core::DocumentCurve*>;
 
+// The keys of the layers of which all curves are locked.
+std::set<std::string> locked_layers(const Entries& entries) {
+    std::set<std::string> keys;
+    for (const core::DocumentCurve* entry : entries)
+        if (entry->locked) keys.insert(layer_key(layer_name(entry->name)));
+    for (const core::DocumentCurve* entry : entries)
+        if (!entry->locked) keys.erase(layer_key(layer_name(entry->name)));
+    return keys;
+}
+
 void add_layers(Groups& groups, const Entries& entries) {
+    constexpr std::size_t locked = 4;
+    const std::set<std::string> locked_keys = locked_layers(entries);
     std::set<std::string> keys{"0"};
     std::vector<std::string> names{"0"};
     for (const core::DocumentCurve* entry : entries)
@@ -113,7 +130,8 @@ void add_layers(Groups& groups, const Entries& entries) {
         groups.add_new_handle();
         groups.add_all("330 3, 100 AcDbSymbolTableRecord, 100 AcDbLayerTableRecord");
         groups.add(2, name);
-        groups.add_all("70 0, 62 7, 6 Continuous");
+        groups.add(70, locked_keys.contains(layer_key(name)) ? locked : 0);
+        groups.add_all("62 7, 6 Continuous");
     }
 }
 
@@ -165,6 +183,16 @@ std::string header(const core::Document& document, unsigned next_handle) {
     return std::move(groups.text());
 }
 
+void note_losses_of_layers(Notes& notes, const Entries& entries) {
+    const std::set<std::string> locked_keys = locked_layers(entries);
+    for (const core::DocumentCurve* entry : entries) {
+        const auto name = [entry] { return entry->name; };
+        const std::string layer = layer_name(entry->name);
+        if (layer != entry->name) notes.add(renamed, name);
+        if (entry->locked && !locked_keys.contains(layer_key(layer))) notes.add(unlocked, name);
+    }
+}
+
 }  // namespace
 
 core::FileResult<Exported> write_dxf(const core::Document& document, const WriteOptions& /*options*/) {
@@ -180,9 +208,8 @@ core::FileResult<Exported> write_dxf(const core::Document& document, const Write
     for (const core::DocumentCurve* entry : *entries)
         largest_error = std::max(largest_error, unrolling_error(*entry->curve));
     Notes notes;
-    note_losses(notes, document, {.colors = true, .units = true, .periodic = true});
-    for (const core::DocumentCurve* entry : *entries)
-        if (layer_name(entry->name) != entry->name) notes.add(renamed, [entry] { return entry->name; });
+    note_losses(notes, document, {.colors = true, .locks = true, .units = true, .periodic = true});
+    note_losses_of_layers(notes, *entries);
     if (document.units && !code_of_units(*document.units))
         notes.add("the unit of length was left out, since DXF has none of that size; the numbers stay as they are");
     return Exported{header(document, groups.next_handle()) + groups.text(),

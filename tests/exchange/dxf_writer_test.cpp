@@ -70,6 +70,25 @@ TEST(DxfWriter, PutsEachCurveOnALayerOfItsNameInItsColor) {
     EXPECT_EQ(std::vector(names.begin(), names.begin() + 4), (std::vector<std::string>{"LAYER", "0", "Wave", "a_b_ä"}));
 }
 
+TEST(DxfWriter, LocksLayersOfWhichAllCurvesAreLocked) {
+    core::Document document =
+        document_of({{"fixed", parabola()}, {"Wave", parabola()}, {"wave", parabola()}, {"free", parabola()}});
+    document.curves[0].locked = true;
+    document.curves[2].locked = true;
+    const auto written = write_dxf(document, {});
+    ASSERT_TRUE(written);
+    EXPECT_EQ(written->report.left_out,
+              std::vector<std::string>{"the lock of 'wave' was left out, since a curve on its layer is not locked"});
+    const auto copy = read_dxf(written->text);
+    ASSERT_TRUE(copy);
+    std::vector<bool> locks;
+    for (const core::DocumentCurve& entry : copy->document.curves) locks.push_back(entry.locked);
+    EXPECT_EQ(locks, (std::vector<bool>{true, false, false, false}));
+    // The layer 0, on which is nothing, then the others.
+    const std::vector<std::string> flags = values(document, 70, "AcDbLayerTableRecord");
+    EXPECT_EQ(std::vector(flags.begin(), flags.begin() + 4), (std::vector<std::string>{"0", "4", "0", "0"}));
+}
+
 TEST(DxfWriter, GivesEveryObjectAHandleOfItsOwn) {
     const core::Document document = document_of(carried_curves(0));
     std::vector<std::string> handles = values(document, 5, "TABLES");

@@ -80,6 +80,14 @@ TEST(Losses, DescriptionsKeptJointsAndUnknownMembersAreToldByEachFormat) {
     expect_told(document, "unknown members");
 }
 
+TEST(Losses, LocksAreToldWhereFormatsHaveNone) {
+    core::Document document = document_of(carried_curves(0)[0].curve);
+    document.curves[0].locked = true;
+    EXPECT_EQ(told_by(Format::rhino, document),
+              std::vector<std::string>{"the format has no place for locks of the document"});
+    EXPECT_TRUE(told_by(Format::dxf, document).empty());
+}
+
 TEST(Losses, TheViewIsNoneOfThem) {
     core::Document document = document_of(carried_curves(0)[0].curve);
     document.view.unknown_members = R"({"forms": {}})";
