@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gp_Mat.hxx>
 #include <limits>
 
 #include "core/curve/approximation.h"
@@ -31,6 +32,7 @@ constexpr double unit_of_rounding = std::numeric_limits<double>::epsilon();
 // Parts of the size of a curve, or of its domain.
 constexpr double flatness = 1e-9;
 constexpr double same_parameter = 1e-12;
+constexpr double rounded_parameter = 1e-6;
 constexpr double closing_tolerance = 1e-12;
 
 FlatCurve no_curve(LeftOut why, std::string reason = {}) {
@@ -76,17 +78,27 @@ PlacedPoint placed(const gp_XYZ& point, const std::vector<gp_GTrsf>& placements)
     return {rounded, static_cast<double>(std::hypot(at[0] - rounded.X(), at[1] - rounded.Y(), at[2] - rounded.Z()))};
 }
 
-// By how much lengths grow there, at most.
+gp_Mat matrix_of(const gp_GTrsf& placement) {
+    gp_Mat matrix;
+    for (int row = 1; row <= 3; ++row)
+        for (int column = 1; column <= 3; ++column) matrix.SetValue(row, column, placement.Value(row, column));
+    return matrix;
+}
+
+// By how much lengths grow there, at most: the root of the largest sums along a row and along a column bounds the norm
+// of a matrix. Source: Golub, Van Loan, Matrix Computations, 2.3.3.
 double growth(const std::vector<gp_GTrsf>& placements) {
-    double product = 1.0;
-    for (const gp_GTrsf& placement : placements) {
-        double squares = 0.0;
-        for (int row = 1; row <= 3; ++row)
-            for (int column = 1; column <= 3; ++column)
-                squares += placement.Value(row, column) * placement.Value(row, column);
-        product *= std::sqrt(squares);
+    gp_Mat product;
+    product.SetIdentity();
+    for (const gp_GTrsf& placement : placements) product = matrix_of(placement) * product;
+    const auto sum = [](const gp_XYZ& line) { return std::abs(line.X()) + std::abs(line.Y()) + std::abs(line.Z()); };
+    double rows = 0.0;
+    double columns = 0.0;
+    for (int i = 1; i <= 3; ++i) {
+        rows = std::max(rows, sum(product.Row(i)));
+        columns = std::max(columns, sum(product.Column(i)));
     }
-    return product;
+    return std::sqrt(rows) * std::sqrt(columns);
 }
 
 // The points in the plane, and in `result` their height, how far they are from one height, and how they are rounded.
@@ -110,7 +122,10 @@ std::optional<core::CurveDefinition> flattened(const SpatialCurve& curve, FlatCu
     if (!(upper - lower <= flatness * size)) return std::nullopt;
     result.height = lower + 0.5 * (upper - lower);
     result.error = upper - lower + rounding;
-    if (curve.error > 0.0) result.error += curve.error * growth(curve.placements);
+    if (curve.error == 0.0) return definition;
+    const double larger = growth(curve.placements);
+    result.error += curve.error * larger;
+    result.contradiction = curve.contradiction * larger;
     return definition;
 }
 
@@ -226,6 +241,19 @@ FlatCurve flat_geometry(Handle(Geom_Curve) curve, double first, double last) {
     return result;
 }
 
+core::Result<core::Curve> stated_part(const core::Curve& curve, core::Interval stated, FlatCurve& result) {
+    const core::Interval domain = curve.domain();
+    const core::Interval part{std::max(domain.lower, stated.lower), std::min(domain.upper, stated.upper)};
+    if (!(part.lower < part.upper)) {
+        result.part = PartInDomain::none;
+        result.error = std::numeric_limits<double>::infinity();
+        return curve;
+    }
+    const double rounding = rounded_parameter * (domain.upper - domain.lower);
+    if (part.lower - stated.lower > rounding || stated.upper - part.upper > rounding) result.part = PartInDomain::some;
+    return part == domain ? core::Result<core::Curve>(curve) : cut_between(curve, part.lower, part.upper, result.error);
+}
+
 }  // namespace
 
 FlatCurve flat_curve(const TopoDS_Edge& edge, double parameter_factor) {
@@ -252,13 +280,7 @@ FlatCurve flat_curve(const StatedCurve& stated, const gp_GTrsf& location) {
     const auto definition = flattened(spatial, result);
     if (!definition) return no_curve(LeftOut::in_another_plane);
     auto curve = of_its_kind(*definition);
-    if (curve && spatial.part) {
-        const core::Interval domain = curve->domain();
-        const core::Interval part{std::max(domain.lower, spatial.part->lower),
-                                  std::min(domain.upper, spatial.part->upper)};
-        if (part != domain && part.lower < part.upper)
-            curve = cut_between(*curve, part.lower, part.upper, result.error);
-    }
+    if (curve && spatial.part) curve = stated_part(*curve, *spatial.part, result);
     if (!curve) return no_curve(LeftOut::not_computable, core::describe(curve.error()));
     result.curve = *curve;
     return result;

@@ -19,6 +19,7 @@ struct SpatialCurve {
     std::vector<gp_GTrsf> placements{};    ///< of the points, the first one first
     std::optional<core::Interval> part{};  ///< of the domain; none: all of it
     double error = 0.0;                    ///< of the numbers, at most, before they are placed
+    double contradiction = 0.0;            ///< how much of that is since the numbers contradict one another
 };
 
 /// Or the reason why there is none, as a part of a sentence.
@@ -26,9 +27,18 @@ using StatedCurve = tl::expected<SpatialCurve, std::string>;
 
 enum class LeftOut { none, in_another_plane, of_another_kind, unbounded, not_computable };
 
+/// How far a stated part of a curve is in its domain.
+enum class PartInDomain {
+    all,   ///< but for rounding
+    some,  ///< which is what the curve was cut to
+    none   ///< so that the curve is whole
+};
+
 struct FlatCurve {
     std::optional<core::Curve> curve{};
-    double error = 0.0;  ///< at most
+    double error = 0.0;          ///< at most
+    double contradiction = 0.0;  ///< how much of that is since the numbers of a file contradict one another
+    PartInDomain part = PartInDomain::all;
     double height = 0.0;
     LeftOut why = LeftOut::none;
     std::string reason{};  ///< why it is not computable, where that is known: a part of a sentence

@@ -46,7 +46,7 @@ StatedCurve conic(const IGESGeom_ConicArc& entity) {
     const auto arc =
         arc_of_equation(equation, name_of_form(entity.FormNumber()), {start.X(), start.Y()}, {end.X(), end.Y()});
     if (!arc) return tl::unexpected(arc.error());
-    SpatialCurve curve{.shape = arc->curve.definition(), .error = arc->error};
+    SpatialCurve curve{.shape = arc->curve.definition(), .error = arc->error, .contradiction = arc->error};
     for (const core::Point point : std::exchange(curve.shape.points, {}))
         curve.points.emplace_back(point.x, point.y, entity.ZPlane());
     return curve;
@@ -86,6 +86,7 @@ SpatialCurve power_spline(const IGESGeom_SplineCurve& entity) {
         const double terms = a.Modulus() + first.Modulus() + second.Modulus() + third.Modulus();
         const double gap = curve.points.empty() ? 0.0 : (curve.points.back() - a).Modulus();
         curve.error = std::max(curve.error, gap + roundings * terms);
+        curve.contradiction = std::max(curve.contradiction, gap);
         if (!curve.points.empty()) curve.points.pop_back();
         curve.points.insert(curve.points.end(),
                             {a, a + first / 3.0, a + 2.0 / 3.0 * first + second / 3.0, a + first + second + third});

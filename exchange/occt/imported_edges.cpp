@@ -35,10 +35,18 @@ constexpr core::PluralPattern not_whole{
     "parts of {count} curves were left out, the first at {place}, since OpenCASCADE makes no curves of them"};
 constexpr core::PluralPattern raised_edges{"one curve has a z that is not 0, which is left out",
                                            "{count} curves have a z that is not 0, which is left out"};
-constexpr core::PluralPattern of_two_ends{
-    "the numbers of the curve at {place} contradict one another; how far its ends are apart by them is in the error",
-    "the numbers of {count} curves contradict one another, the first at {place}; how far their ends are apart by them "
-    "is in the error"};
+constexpr core::PluralPattern of_two_meanings{
+    "the numbers of the curve at {place} contradict one another; by how much is in the error",
+    "the numbers of {count} curves contradict one another, the first at {place}; by how much is in the error"};
+constexpr core::PluralPattern beyond_knots{
+    "the curve at {place} was to begin or end beyond its knots; the part within them was read",
+    "{count} curves were to begin or end beyond their knots, the first at {place}; the parts within them were read"};
+constexpr core::PluralPattern not_in_knots{
+    "the curve at {place} was read whole, since the part that was meant is beyond its knots or does not end after its "
+    "beginning",
+    "{count} curves were read whole, the first at {place}, since the parts that were meant are beyond their knots or "
+    "do "
+    "not end after their beginnings"};
 constexpr core::PluralPattern faults_found{
     "OpenCASCADE found a fault in the file; curves may be missing or other than they were",
     "OpenCASCADE found {count} faults in the file; curves may be missing or other than they were"};
@@ -104,9 +112,11 @@ class Edges {
         if (geometry.IsNull() || origin.entity.IsNull()) return add(flat_curve(edge), origin);
         const Correction correction = reader_.correction(origin.entity, *geometry);
         const auto stated = reader_.curve(origin.entity);
-        add(stated ? flat_curve(*stated, gp_GTrsf(location.Transformation()))
-                   : flat_curve(edge, correction.parameter_factor),
-            origin, correction.contradiction);
+        FlatCurve curve = stated ? flat_curve(*stated, gp_GTrsf(location.Transformation()))
+                                 : flat_curve(edge, correction.parameter_factor);
+        curve.error += correction.contradiction;
+        curve.contradiction += correction.contradiction;
+        add(std::move(curve), origin);
     }
 
     void add_lost(const Entity& entity) {
@@ -124,7 +134,8 @@ class Edges {
     }
 
   private:
-    void add(FlatCurve curve, const Origin& origin, double contradiction = 0.0);
+    void add(FlatCurve curve, const Origin& origin);
+    void tell_contradictions(const FlatCurve& curve, const core::Curve& added, const PlaceText& place);
 
     const EntityReader& reader_;
     Collector collector_;
@@ -146,7 +157,7 @@ const core::PluralPattern* pattern_of(LeftOut why) {
     return nullptr;
 }
 
-void Edges::add(FlatCurve curve, const Origin& origin, double contradiction) {
+void Edges::add(FlatCurve curve, const Origin& origin) {
     const bool is_known = !origin.entity.IsNull();
     const auto place = [&] { return is_known ? reader_.place(origin.entity) : origin.name; };
     if (const core::PluralPattern* pattern = pattern_of(curve.why)) return collector_.notes().add(*pattern, place);
@@ -160,11 +171,17 @@ void Edges::add(FlatCurve curve, const Origin& origin, double contradiction) {
     core::DocumentCurve* const entry = collector_.add(std::move(made), wish, kind, place);
     if (entry == nullptr) return;
     entry->visible = !origin.is_hidden;
-    collector_.note_error(curve.error + contradiction);
-    const core::Box box = core::control_box(*entry->curve);
-    if (contradiction > contradicting * core::distance(box.lower, box.upper))
-        collector_.notes().add(of_two_ends, place);
+    collector_.note_error(curve.error);
+    tell_contradictions(curve, *entry->curve, place);
     if (curve.height != 0.0) collector_.notes().add(raised_edges, place);
+}
+
+void Edges::tell_contradictions(const FlatCurve& curve, const core::Curve& added, const PlaceText& place) {
+    const core::Box box = core::control_box(added);
+    if (curve.contradiction > contradicting * core::distance(box.lower, box.upper))
+        collector_.notes().add(of_two_meanings, place);
+    if (curve.part == PartInDomain::some) collector_.notes().add(beyond_knots, place);
+    if (curve.part == PartInDomain::none) collector_.notes().add(not_in_knots, place);
 }
 
 constexpr double millimeter = 1.0;

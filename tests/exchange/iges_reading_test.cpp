@@ -198,9 +198,63 @@ TEST_F(IgesReading, ArcsThatContradictThemselvesAreTold) {
     const Imported found = read({{100, 0, "0.,0.,0.,2.,0.,0.,3."}});
     EXPECT_EQ(
         found.report.left_out,
-        std::vector<std::string>{"the numbers of the curve at D1 contradict one another; how far its ends are apart "
-                                 "by them is in the error"});
+        std::vector<std::string>{"the numbers of the curve at D1 contradict one another; by how much is in the error"});
     EXPECT_NEAR(found.report.largest_error, 1.0, 1e-12);
+}
+
+// Of x^2 + 4 y^2 = 4, from (3, 0), which is 1 beside it.
+TEST_F(IgesReading, ConicsWhoseEndsAreBesideThemAreTold) {
+    const Imported found = read({{104, 1, "1.,0.,4.,0.,0.,-4.,0.,3.,0.,0.,1."}});
+    EXPECT_EQ(
+        found.report.left_out,
+        std::vector<std::string>{"the numbers of the curve at D1 contradict one another; by how much is in the error"});
+    EXPECT_GE(found.report.largest_error, 1.0);
+    EXPECT_TRUE(read({{104, 1, "1.,0.,4.,0.,0.,-4.,0.,2.,0.,0.,1."}}).report.left_out.empty());
+}
+
+// From (0, 0) to (1, 0), and from (1, 2) to (2, 2). An identity, and a quarter turn, make 2 no larger.
+TEST_F(IgesReading, ParametricSplinesWhosePiecesDoNotMeetAreTold) {
+    IgesEntity apart{112, 0,
+                     "3,1,2,2,0.,1.,2.,0.,1.,0.,0.,0.,0.,0.,0.,0.,0.,0.,0.,1.,1.,0.,0.,2.,0.,0.,0.,0.,0.,0.,0.,"
+                     "2.,1.,0.,0.,2.,0.,0.,0.,0.,0.,0.,0."};
+    for (const int placed_by : {0, 3}) {
+        apart.placed_by = placed_by;
+        const Imported found = read({apart, quarter_turn});
+        EXPECT_EQ(found.report.left_out,
+                  std::vector<std::string>{
+                      "the numbers of the curve at D1 contradict one another; by how much is in the error"});
+        EXPECT_NEAR(found.report.largest_error, 2.0, 1e-12);
+    }
+}
+
+// Over the knots 0 and 1, the parabola (2 t, 4 t (1 - t)).
+TEST_F(IgesReading, PartsOfSplinesThatAreNotInTheirKnotsAreTold) {
+    const auto between = [](const std::string& ends) {
+        return read(
+            {{126, 0, "2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.,2.,0.,2.,0.,0.," + ends + ",0.,0.,1."}});
+    };
+    const std::vector<Point> whole{{0, 0}, {1, 2}, {2, 0}};
+    const std::vector<Point> half{{0, 0}, {0.5, 1}, {1, 1}};
+    for (const char* none : {"2.,3.", "-3.,-2.", "0.5,0.25", "0.,0."}) {
+        const Imported found = between(none);
+        EXPECT_EQ(points(found), whole) << none;
+        EXPECT_EQ(found.report.left_out,
+                  std::vector<std::string>{"the curve at D1 was read whole, since the part that was meant is beyond "
+                                           "its knots or does not end after its beginning"});
+        EXPECT_EQ(found.report.largest_error, INFINITY);
+    }
+    const Imported begun = between("-1.,0.5");
+    EXPECT_EQ(points(begun), half);
+    EXPECT_EQ(begun.report.left_out,
+              std::vector<std::string>{
+                  "the curve at D1 was to begin or end beyond its knots; the part within them was read"});
+    for (const char* all : {"0.,1.", "-1E-9,1.000000001"}) {
+        EXPECT_EQ(points(between(all)), whole) << all;
+        EXPECT_TRUE(between(all).report.left_out.empty()) << all;
+        EXPECT_EQ(between(all).report.largest_error, 0.0) << all;
+    }
+    EXPECT_EQ(points(between("0.,0.5")), half);
+    EXPECT_TRUE(between("0.,0.5").report.left_out.empty());
 }
 
 // By the polynomials s^2 over [0, 1] and 1 + 2 s over [1, 2]: Bézier points (0, 0), (1/3, 0), (2/3, 1/3), (1, 1) and so

@@ -129,8 +129,7 @@ TEST_F(StepReading, PointsTellWhichParametersOfAParabolaAreMeant) {
     const Imported neither = read(with_end("5.,4.,0."));
     EXPECT_EQ(
         neither.report.left_out,
-        std::vector<std::string>{"the numbers of the curve at #6 contradict one another; how far its ends are apart "
-                                 "by them is in the error"});
+        std::vector<std::string>{"the numbers of the curve at #6 contradict one another; by how much is in the error"});
     EXPECT_NEAR(neither.report.largest_error, 3.0, 1e-12);
 }
 
