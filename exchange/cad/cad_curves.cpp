@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/measure/deviation.h"
 #include "core/refine/clamping.h"
@@ -24,6 +25,12 @@ constexpr PluralPattern over_unit_interval{
     "'{place}' was written over the parameters from 0 to 1, since its own are too near each other",
     "{count} curves were written over the parameters from 0 to 1, since their own are too near each other, the first "
     "one '{place}'"};
+constexpr PluralPattern near_knots{
+    "'{place}' was left out, since its knots are too near each other for OpenCASCADE",
+    "{count} curves were left out, since their knots are too near each other for OpenCASCADE, the first one '{place}'"};
+constexpr PluralPattern tiny_weights{
+    "'{place}' was left out, since its weights are too small for OpenCASCADE",
+    "{count} curves were left out, since their weights are too small for OpenCASCADE, the first one '{place}'"};
 constexpr PluralPattern not_clampable{
     "'{place}' was left out, since it cannot be written with clamped ends",
     "{count} curves were left out, since they cannot be written with clamped ends, the first one '{place}'"};
@@ -67,7 +74,7 @@ Scaled in_units(const core::Curve& curve, double world) {
 }
 
 // Weights that draw the same, since all are multiplied by one power of two: programs that read IGES through OpenCASCADE
-// refuse those below 1e-9, and take such as differ by less than 1e-10 for equal.
+// refuse those below 1e-9, and take such as differ from the first by less than 1e-10 for equal.
 core::Result<core::Curve> with_larger_weights(const core::Curve& curve) {
     constexpr int least_weight = -29;  // as exponents of two
     constexpr int least_difference = -33;
@@ -81,6 +88,19 @@ core::Result<core::Curve> with_larger_weights(const core::Curve& curve) {
     core::CurveDefinition definition = curve.definition();
     for (double& weight : definition.weights) weight = std::ldexp(weight, steps);
     return core::Curve::make(std::move(definition));
+}
+
+// By the conditions of Geom_BSplineCurve: a distinct knot is beyond the double next to the one before it, and the
+// weights of a rational curve are above the least normal double. None: OpenCASCADE takes the curve.
+const PluralPattern* refusal_by_occt(const core::Curve& curve) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto are_near = [](double knot, double next) {
+        return next > knot && next - knot <= std::nextafter(std::abs(knot), infinity) - std::abs(knot);
+    };
+    const std::span<const double> knots = curve.knots().values();
+    if (std::ranges::adjacent_find(knots, are_near) != knots.end()) return &near_knots;
+    const bool is_tiny = std::ranges::min(curve.weights()) <= std::numeric_limits<double>::min();
+    return curve.is_rational() && is_tiny ? &tiny_weights : nullptr;
 }
 
 class CadWriter {
@@ -104,6 +124,7 @@ class CadWriter {
         Scaled scaled = in_units(*placed, result_.world);
         if (weights_ == CadWeights::larger) scaled.curve = scaled.curve.and_then(with_larger_weights);
         if (!scaled.curve) return result_.notes.add(not_clampable, name);
+        if (const PluralPattern* refusal = refusal_by_occt(*scaled.curve)) return result_.notes.add(*refusal, name);
         const double error =
             scaled.error + (is_other ? core::largest_deviation(*placed, curve) + unrolling_error(curve) : 0.0);
         result_.curves.push_back({entry.name, *std::move(scaled.curve), error});

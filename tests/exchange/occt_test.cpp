@@ -345,6 +345,34 @@ TEST_P(ThroughOpenCascade, WhatDoesNotComeBackIsLeftOutByName) {
     EXPECT_EQ(format().write(document_with_units(huge), {}).has_value(), !is_lost);
 }
 
+// OpenCASCADE takes only such knots as are beyond the next double after the one before.
+TEST_P(ThroughOpenCascade, SaysWhichKnotsAndWeightsOpenCascadeRefuses) {
+    const auto over = [](double knot, double next) {
+        return document_with_units(core::made_curve({.degree = 2,
+                                                     .knots = {4, 4, 4, knot, next, 6, 6, 6},
+                                                     .points = {{0, 0}, {1, 2}, {2, 0}, {3, 3}, {4, 1}}}),
+                                   "near");
+    };
+    const double next = std::nextafter(5.0, 6.0);
+    const char* const said = "'near' was left out, since its knots are too near each other for OpenCASCADE";
+    const auto alone = format().write(over(5, next), {});
+    ASSERT_FALSE(alone);
+    EXPECT_EQ(alone.error().what, said);
+    core::Document both = over(5, next);
+    both.curves.push_back(over(5, std::nextafter(next, 6.0)).curves[0]);
+    both.curves[1].name = "less";
+    const Exported exported = written(both);
+    EXPECT_EQ(exported.report.left_out, std::vector<std::string>{said});
+    EXPECT_EQ(read(exported.text).document.curves.at(0).name, "less");
+    const auto tiny = format().write(document_with_units(core::made_curve({.degree = 2,
+                                                                           .knots = clamped_knots(2),
+                                                                           .points = {{0, 0}, {1, 2}, {3, 2}},
+                                                                           .weights = {1e300, 1e-310, 1}})),
+                                     {});
+    ASSERT_FALSE(tiny);
+    EXPECT_EQ(tiny.error().what, "'wave' was left out, since its weights are too small for OpenCASCADE");
+}
+
 // Wherever they stand, the others are all there in their order.
 TEST_P(ThroughOpenCascade, OfManyCurvesThoseAreLeftOutThatDoNotComeBack) {
     const core::Curve huge = core::made_curve(
