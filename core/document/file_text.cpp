@@ -55,6 +55,19 @@ fs::path resolved(fs::path path) {
     return path;
 }
 
+// Whether `path`, or a link on the way from it, is the name that the system gives to what a program has opened, as
+// /dev/stdout and /dev/fd/3 are: there the file may be in use, and has another name.
+bool names_open_file(fs::path path) {
+    constexpr int most_links = 40;
+    std::error_code error;
+    for (int i = 0; i < most_links && fs::is_symlink(path, error); ++i) {
+        const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", error);
+        if (folder.string().starts_with("/proc/")) return true;
+        path = path.parent_path() / fs::read_symlink(path, error);
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string FileError::sentence() const {
@@ -110,6 +123,12 @@ FileResult<FileStamp> replace_and_stamp(const fs::path& path, std::string_view t
     if (exists && !S_ISREG(old.st_mode))
         return refused(path.string(), "this is not an ordinary file, so it cannot be saved to");
     if (exists && access(target.c_str(), W_OK) != 0) return fail("the file cannot be written: {reason}");
+    if (names_open_file(path))
+        return refused(path.string(),
+                       "this is what a program has opened, not a file in a folder, so it cannot be saved to");
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    if (std::error_code error; !fs::exists(folder, error) && !error)
+        return refused(path.string(), sentence("there is no folder {folder}", {{"folder", folder.string()}}));
     const SignalsHeld held;
     TemporaryFile temporary(target);
     if (!temporary.is_open()) return fail("no file can be made in this folder: {reason}");

@@ -217,8 +217,25 @@ TEST_F(Saving, a_folder_that_may_not_be_written_or_is_gone_is_told) {
     }
     const FileResult<void> saved = replace_text(folder_ / "gone" / "wave.json", "new");
     ASSERT_FALSE(saved);
-    EXPECT_EQ(saved.error().what, "no file can be made in this folder: No such file or directory");
+    EXPECT_EQ(saved.error().what, "there is no folder " + (folder_ / "gone").string());
     EXPECT_EQ(file_count(), 1U);
+}
+
+TEST_F(Saving, what_a_program_has_opened_is_not_replaced) {
+    const fs::path path = folder_ / "notes.txt";
+    std::ofstream(path, std::ios::binary) << "precious";
+    const int opened = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    ASSERT_GE(opened, 0);
+    const fs::path link = folder_ / "link";
+    fs::create_symlink("/dev/fd/" + std::to_string(opened), link);
+    for (const fs::path& name : {fs::path("/dev/fd") / std::to_string(opened), link}) {
+        const FileResult<void> saved = replace_text(name, "new");
+        ASSERT_FALSE(saved);
+        EXPECT_EQ(saved.error().what,
+                  "this is what a program has opened, not a file in a folder, so it cannot be saved to");
+    }
+    close(opened);
+    EXPECT_EQ(content(path), "precious");
 }
 
 TEST_F(Saving, keeps_owner_group_and_permissions) {

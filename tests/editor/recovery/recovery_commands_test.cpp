@@ -182,7 +182,7 @@ TEST_F(ChangedFile, in_a_folder_that_is_gone_is_told) {
     fs::remove_all(folder_.path());
     EXPECT_FALSE(run(Save{}));
     EXPECT_EQ(state().dialog, Dialog::none);
-    EXPECT_EQ(state().message.text, "wave.json: no file can be made in this folder: No such file or directory");
+    EXPECT_EQ(state().message.text, "wave.json: there is no folder " + folder_.path().string());
     EXPECT_TRUE(state().is_modified());
     EXPECT_EQ(document(editor_).curves[0].name, "mine");
 }
