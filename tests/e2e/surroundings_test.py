@@ -49,7 +49,7 @@ class SurroundingsTest(WindowTest):
         editor = self.start(self.display(), environment={"HOME": "", "XDG_CONFIG_HOME": "", "XDG_STATE_HOME": ""})
         with editor:
             state = self.edit(editor)
-            self.assertNotIn("journal", state["message"])
+            self.assertIn("no recovery journal can be written: neither HOME nor XDG_STATE_HOME names a folder", state["message"])
 
     @unittest.skipUnless(may_mount(), "mounting is not permitted here")
     def test_without_fonts(self):

@@ -21,8 +21,9 @@ void JournalKeeper::count_edit(const EditorState& state) {
 }
 
 void JournalKeeper::follow(const EditorState& state, std::int64_t seconds) {
-    if (writer_ == nullptr || version_ == state.history.version()) return;
+    if (version_ == state.history.version()) return;
     version_ = state.history.version();
+    if (writer_ == nullptr) return note_lack_of_folder(state);
     if (state.is_modified()) {
         count_edit(state);
         last_ = state.history.present();
@@ -37,6 +38,15 @@ void JournalKeeper::follow(const EditorState& state, std::int64_t seconds) {
     is_journaled_ = state.is_modified();
 }
 
+// Once until nothing is unsaved any more, like other trouble.
+void JournalKeeper::note_lack_of_folder(const EditorState& state) {
+    const bool is_first = state.is_modified() && !std::exchange(is_journaled_, state.is_modified());
+    if (is_first)
+        lack_of_folder_ =
+            "Unsaved changes would be lost in a crash, because no recovery journal can be written: neither HOME nor "
+            "XDG_STATE_HOME names a folder";
+}
+
 void JournalKeeper::finish() {
     if (writer_ != nullptr) writer_->finish();
 }
@@ -46,7 +56,7 @@ void JournalKeeper::end() {
 }
 
 std::optional<std::string> JournalKeeper::take_trouble() {
-    return writer_ == nullptr ? std::nullopt : writer_->take_trouble();
+    return writer_ == nullptr ? std::exchange(lack_of_folder_, std::nullopt) : writer_->take_trouble();
 }
 
 }  // namespace batten::editor

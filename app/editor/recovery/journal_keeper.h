@@ -14,8 +14,8 @@ namespace batten::editor {
 /// Of each document that is committed and not saved a record is written; where nothing is unsaved there is no journal.
 class JournalKeeper {
   public:
-    /// Journals stand in `folder`; where it is empty none is kept. `wake` is called from another thread when there is
-    /// trouble to tell.
+    /// Journals stand in `folder`; where it is empty none is kept, which is trouble to tell. `wake` is called from
+    /// another thread when there is trouble to tell.
     explicit JournalKeeper(const std::filesystem::path& folder, std::function<void()> wake = {},
                            std::chrono::milliseconds pause = usual_pause);
 
@@ -34,12 +34,14 @@ class JournalKeeper {
 
   private:
     void count_edit(const EditorState& state);
+    void note_lack_of_folder(const EditorState& state);
 
     std::unique_ptr<JournalWriter> writer_;  // null: none is kept
     std::shared_ptr<const void> version_;    // of the document that was handed over last
     core::Document last_;
     std::size_t edit_count_ = 0;
     bool is_journaled_ = false;
+    std::optional<std::string> lack_of_folder_;
 };
 
 }  // namespace batten::editor

@@ -108,13 +108,20 @@ TEST_F(Keeper, removes_the_journal_at_a_good_end_and_of_discarded_changes) {
     EXPECT_TRUE(left_behind().empty());
 }
 
-TEST_F(Keeper, of_no_folder_keeps_nothing) {
+TEST_F(Keeper, of_no_folder_keeps_nothing_and_says_so_once) {
     JournalKeeper none("");
+    none.follow(editor_.state(), 0);
+    EXPECT_FALSE(none.take_trouble()) << "nothing is unsaved";
     move(0.5);
     none.follow(editor_.state(), 1);
+    EXPECT_EQ(none.take_trouble(),
+              "Unsaved changes would be lost in a crash, because no recovery journal can be written: neither HOME nor "
+              "XDG_STATE_HOME names a folder");
+    move(0.7);
+    none.follow(editor_.state(), 2);
+    EXPECT_FALSE(none.take_trouble());
     none.finish();
     none.end();
-    EXPECT_FALSE(none.take_trouble());
 }
 
 TEST_F(Keeper, of_another_session_has_a_journal_of_its_own) {
