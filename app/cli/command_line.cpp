@@ -79,6 +79,7 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
     if (window != nullptr) {
         for (const std::filesystem::path& file : window->files)
             if (const auto problem = problem_of_file(program, file.string())) return say_wrong_usage(output, *problem);
+        if (const auto problem = problem_of_written_files(*window)) return say_wrong_usage(output, *problem);
         return std::nullopt;
     }
     return say_wrong_usage(output,

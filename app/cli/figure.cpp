@@ -80,6 +80,15 @@ ExitStatus say_wrong_order(Output output, const std::string& what) {
     return say_wrong_usage(output, core::sentence("batten figure: {problem}", {{"problem", what}}));
 }
 
+/// A figure does not hold the curves that it is of.
+std::optional<std::string> problem_of_result(const FigureOptions& options) {
+    std::error_code error;
+    if (is_standard(options.result) || !std::filesystem::equivalent(options.file, options.result, error))
+        return std::nullopt;
+    return core::sentence("-o: '{file}' is the file that is drawn; the figure needs a name of its own",
+                          {{"file", options.result.string()}});
+}
+
 /// What is wrong with the name of the frames, if anything is.
 std::optional<std::string> problem_of_name(const FigureOrder& order, const std::filesystem::path& file) {
     const bool has_frames = order.motion && std::holds_alternative<render::FigureFormat>(order.format);
@@ -99,6 +108,7 @@ ExitStatus figure(const FigureOptions& options, Output output) {
     const auto order = read_order(options);
     if (!order) return say_wrong_order(output, order.error());
     if (const auto problem = problem_of_name(*order, options.result)) return say_wrong_order(output, *problem);
+    if (const auto problem = problem_of_result(options)) return say_wrong_order(output, *problem);
     std::optional<core::Document> document = load(output, options.file);
     if (!document) return ExitStatus::wrong_input;
     const std::optional<std::size_t> index = find_curve(output, options.file, *document, options.curve);

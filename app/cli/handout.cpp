@@ -3,6 +3,7 @@
 
 #include "app/cli/html_text.h"
 #include "app/cli/input.h"
+#include "app/cli/say.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/cards/cards.h"
 #include "app/editor/command_spec.h"
@@ -179,6 +180,12 @@ tl::expected<std::string, std::string> page_of(const std::filesystem::path& path
 }  // namespace
 
 ExitStatus handout(const HandoutOptions& options, Output output) {
+    if (std::error_code absent;
+        !is_standard(options.result) && std::filesystem::equivalent(options.lesson, options.result, absent))
+        return say_wrong_usage(
+            output,
+            core::sentence("batten handout: -o: '{file}' is the lesson itself; the handout needs a name of its own",
+                           {{"file", options.result.string()}}));
     // A name alone would be looked for among the lessons of the program.
     std::error_code error;
     const std::filesystem::path lesson = std::filesystem::absolute(options.lesson, error);

@@ -1,6 +1,8 @@
 #include "app/cli/window_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
 #include <ostream>
 
 #include "app/cli/command_options.h"
@@ -12,7 +14,22 @@ namespace batten::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t most_frames = 100000;
+
+bool is_among(const std::vector<fs::path>& files, const fs::path& file) {
+    std::error_code absent;
+    return std::ranges::any_of(files, [&](const fs::path& other) { return fs::equivalent(file, other, absent); });
+}
+
+// Each line of a log is a list.
+bool holds_no_log(const fs::path& file) {
+    std::error_code absent;
+    if (!fs::is_regular_file(file, absent)) return false;
+    const int first = std::ifstream(file).peek();
+    return first != '[' && first != std::ifstream::traits_type::eof();
+}
 
 }  // namespace
 
@@ -30,6 +47,21 @@ void add_window_options(CLI::App& program, WindowOptions& options) {
         ->type_name("FILE");
     program.add_option("--session-log", options.session_log, "Write the commands of the session to this file")
         ->type_name("FILE");
+}
+
+std::optional<std::string> problem_of_written_files(const WindowOptions& options) {
+    const auto problem_of = [&](const char* option, const std::optional<fs::path>& written, bool holds_other) {
+        return !written || !(holds_other || is_among(options.files, *written))
+                   ? std::nullopt
+                   : std::optional(
+                         core::sentence("batten: {option}: '{file}' holds something else, which would be lost; name "
+                                        "a file that is new, or the one of an earlier session",
+                                        {{"option", option}, {"file", written->string()}}));
+    };
+    if (auto problem =
+            problem_of("--session-log", options.session_log, options.session_log && holds_no_log(*options.session_log)))
+        return problem;
+    return problem_of("--state-report", options.state_report, false);
 }
 
 ProfileSubcommand::ProfileSubcommand(CLI::App& program) {

@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/cli/command_line.h"
@@ -12,6 +13,10 @@ namespace batten::cli {
 
 /// Adds the options of the program itself.
 void add_window_options(CLI::App& program, WindowOptions& options);
+
+/// Why the session log and the report cannot be written to the files that were named, if that is so: they would take
+/// the place of a document.
+std::optional<std::string> problem_of_written_files(const WindowOptions& options);
 
 /// The subcommand that opens the window itself.
 class ProfileSubcommand {

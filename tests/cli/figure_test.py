@@ -761,6 +761,13 @@ class Refusals(FigureTest):
                 self.refused(2, sentence, *options)
         self.refused(2, "'x.doc' has the ending of no figure".replace("x.doc", str(self.folder / "x.doc")), output="x.doc")
         self.refused(2, "a GIF or MP4 needs --animate", output="x.gif")
+        drawing = self.folder / "drawing.svg"
+        self.assertEqual(run("convert", WAVE, "-o", drawing).returncode, 0)
+        before = drawing.read_bytes()
+        process = run("figure", drawing, "-o", self.folder / "." / "drawing.svg")
+        self.assertEqual((process.returncode, process.stdout), (2, ""))
+        self.assertEqual(process.stderr, f"batten figure: -o: '{drawing}' is the file that is drawn; the figure needs a name of its own\n")
+        self.assertEqual(drawing.read_bytes(), before)
         self.refused(2, "--transparent: an MP4 has a ground; GIF and numbered PNG may have none", "--animate", "u=0..1", "--transparent", output="x.mp4")
         self.refused(2, "--rate: numbered frames have none; GIF and MP4 have one", "--animate", "u=0..1", "--rate", "10", output="%d.svg")
         self.refused(2, "--format is needed for standard output", output="-")

@@ -103,6 +103,9 @@ class Handout(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn("absent.json", process.stderr)
         self.assertEqual(run("handout", lesson).returncode, 2)
+        process = run("handout", lesson, "-o", lesson)
+        self.assertEqual((process.returncode, process.stderr), (2, f"batten handout: -o: '{lesson}' is the lesson itself; the handout needs a name of its own\n"))
+        self.assertEqual(lesson.read_text(), "{}")
 
 
 if __name__ == "__main__":

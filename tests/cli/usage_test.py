@@ -115,6 +115,15 @@ class Usage(unittest.TestCase):
         self.assertIn("batten: 'nosuch' is neither a file to open nor a subcommand; a subcommand is info, eval, ", self.refused("nosuch"))
 
     @unittest.skipUnless(HAS_WINDOW, "for a build with a window")
+    def test_no_document_gives_way_to_what_a_session_writes(self):
+        before = self.file.read_bytes()
+        lost = "'line.json' holds something else, which would be lost; name a file that is new, or the one of an earlier session"
+        self.assertEqual(self.refused("line.json", "--session-log", "line.json"), f"batten: --session-log: {lost}")
+        self.assertEqual(self.refused("--session-log", "line.json"), f"batten: --session-log: {lost}")
+        self.assertEqual(self.refused("line.json", "--state-report", "./line.json"), f"batten: --state-report: {lost}".replace("'line", "'./line"))
+        self.assertEqual(self.file.read_bytes(), before)
+
+    @unittest.skipUnless(HAS_WINDOW, "for a build with a window")
     def test_words_for_the_window(self):
         self.assertEqual(self.refused("none.json"), "batten: there is no file none.json")
         self.assertEqual(self.refused("."), "batten: . is a folder; files with curves are opened")
