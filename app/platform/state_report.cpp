@@ -186,7 +186,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     add_input(report, frame);
 
     const std::filesystem::path temporary = fmt::format("{}.new", path.string());
-    std::ofstream(temporary) << report.dump();
+    std::ofstream(temporary) << report.dump(-1, ' ', false, json::error_handler_t::replace);
     std::error_code ignored;
     std::filesystem::rename(temporary, path, ignored);
 }
