@@ -721,6 +721,15 @@ class Animations(FigureTest):
 
 
 class Refusals(FigureTest):
+    def test_a_figure_does_not_replace_what_it_is_of(self):
+        drawing = self.folder / "drawing.svg"
+        self.assertEqual(run("convert", WAVE, "-o", drawing).returncode, 0)
+        before = drawing.read_bytes()
+        process = run("figure", drawing, "-o", self.folder / "." / "drawing.svg")
+        self.assertEqual((process.returncode, process.stdout), (2, ""))
+        self.assertEqual(process.stderr, f"batten figure: -o: '{drawing}' is the file that is drawn; the figure needs a name of its own\n")
+        self.assertEqual(drawing.read_bytes(), before)
+
     def test_wrong_words(self):
         for sentence, options in (
             ("--show: there is nothing called 'foo' to show; 'batten figure --help' lists all that can be shown\n", ("--show", "points,foo")),
@@ -761,13 +770,6 @@ class Refusals(FigureTest):
                 self.refused(2, sentence, *options)
         self.refused(2, "'x.doc' has the ending of no figure".replace("x.doc", str(self.folder / "x.doc")), output="x.doc")
         self.refused(2, "a GIF or MP4 needs --animate", output="x.gif")
-        drawing = self.folder / "drawing.svg"
-        self.assertEqual(run("convert", WAVE, "-o", drawing).returncode, 0)
-        before = drawing.read_bytes()
-        process = run("figure", drawing, "-o", self.folder / "." / "drawing.svg")
-        self.assertEqual((process.returncode, process.stdout), (2, ""))
-        self.assertEqual(process.stderr, f"batten figure: -o: '{drawing}' is the file that is drawn; the figure needs a name of its own\n")
-        self.assertEqual(drawing.read_bytes(), before)
         self.refused(2, "--transparent: an MP4 has a ground; GIF and numbered PNG may have none", "--animate", "u=0..1", "--transparent", output="x.mp4")
         self.refused(2, "--rate: numbered frames have none; GIF and MP4 have one", "--animate", "u=0..1", "--rate", "10", output="%d.svg")
         self.refused(2, "--format is needed for standard output", output="-")
@@ -793,7 +795,7 @@ class Refusals(FigureTest):
         self.refused(1, "no knot 0 can come in: there are 4 of them already, the most that there may be", "--animate", "insert=0", output="%d.svg")
         self.refused(1, "knot 4 cannot go to 0.5: 2 knots are there already, the most that there may be", "--animate", "merge=4", output="%d.svg", file=EXAMPLES / "circle-nurbs.json")
         self.refused(1, "there is no curve 'nix'", "--curve", "nix")
-        self.refused(1, "no file can be made in this folder", output="nowhere/x.svg")
+        self.refused(1, f"there is no folder {self.folder / 'nowhere'}\n", output="nowhere/x.svg")
         with tempfile.NamedTemporaryFile("w", suffix=".json") as empty:
             empty.write('{"format": "batten", "version": 1, "curves": []}')
             empty.flush()
