@@ -7,6 +7,7 @@
 
 #include "app/editor/commands/recovery_commands.h"
 #include "app/editor/words/moment_text.h"
+#include "app/editor/words/recoverable_name.h"
 #include "app/ui/answer_buttons.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/inspector_widgets.h"
@@ -20,10 +21,6 @@ namespace batten::ui {
 namespace {
 
 using editor::Recoverable;
-
-std::string recoverable_name(const Recoverable& document) {
-    return document.file.empty() ? "untitled" : document.file.filename().string();
-}
 
 std::string told_edits(const Recoverable& document) {
     return core::sentence({.one = "one edit, {when}", .many = "{count} edits, the last {when}"}, document.edit_count,
@@ -46,7 +43,7 @@ bool draw_recovery_row(const PanelContext& context, std::size_t row, bool is_cho
     const float room = right - edits_width - corner.x - context.px(30);
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddText({corner.x + context.px(10), y}, imgui_packed(context.theme.text),
-                  elided(recoverable_name(document), context.fonts.text, room).c_str());
+                  elided(recoverable_name(document, context.state.recoverable), context.fonts.text, room).c_str());
     list->AddText({right - edits_width, y}, imgui_packed(context.theme.dim), edits.c_str());
     return is_clicked;
 }
@@ -73,7 +70,8 @@ void draw_recovery_list(const PanelContext& context) {
 void draw_one_recoverable(const PanelContext& context, const Recoverable& document) {
     const char* pattern = document.file.empty() ? "Batten ended before a document without a file was saved."
                                                 : "Batten ended before changes to {file} were saved.";
-    ImGui::TextWrapped("%s", core::filled_as_needed(pattern, {{"file", recoverable_name(document)}}).c_str());
+    ImGui::TextWrapped("%s",
+                       core::filled_as_needed(pattern, {{"file", editor::recoverable_name(document, {})}}).c_str());
     if (!document.file.empty() && ImGui::IsItemHovered()) show_typed_tooltip(context, document.file.string());
     const std::string edits = told_edits(document);
     ImGui::TextDisabled("%s", edits.c_str());

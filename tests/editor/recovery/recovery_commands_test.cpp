@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/point_commands.h"
@@ -10,6 +12,7 @@
 #include "app/editor/session.h"
 #include "app/editor/state/same_document.h"
 #include "app/editor/words/moment_text.h"
+#include "app/editor/words/recoverable_name.h"
 #include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
@@ -209,6 +212,15 @@ TEST(MomentText, says_when_as_people_do) {
     EXPECT_EQ(moment_text(now - day, now), "yesterday at 15:24");
     EXPECT_EQ(moment_text(now - 2 * day, now), "on November 21, 2026 at 15:24");
     EXPECT_EQ(moment_text(0, now), "on January 1, 1970 at 0:00");
+}
+
+TEST(RecoverableName, tells_files_of_one_name_apart_by_their_folders) {
+    std::vector<Recoverable> all(5);
+    for (std::size_t i = 0; i < 4; ++i)
+        all[i].file = std::array{"/a/wave.json", "/b/wave.json", "/a/ring.json", "/a/ring.json"}[i];
+    const std::vector<std::string> names{"a/wave.json", "b/wave.json", "ring.json", "ring.json", "untitled"};
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(recoverable_name(all[i], all), names[i]);
+    EXPECT_EQ(recoverable_name(all[0], {}), "wave.json");
 }
 
 }  // namespace
