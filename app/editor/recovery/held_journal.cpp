@@ -86,6 +86,11 @@ bool HeldJournal::is_there() const {
     return file_ >= 0 && fstat(file_, &status) == 0 && status.st_nlink > 0;
 }
 
+bool HeldJournal::is_whole() const {
+    struct stat status {};
+    return is_there() && fstat(file_, &status) == 0 && status.st_size >= size_;
+}
+
 Outcome<std::string> HeldJournal::part(std::int64_t place, std::size_t count_asked) const {
     const auto left = static_cast<std::size_t>(std::max<std::int64_t>(size_ - place, 0));
     std::string content(std::min(count_asked, left), '\0');

@@ -28,6 +28,9 @@ class HeldJournal {
     /// Whether the file is there: it was made, and nobody removed it.
     bool is_there() const;
 
+    /// Whether nobody cut it off either.
+    bool is_whole() const;
+
     std::int64_t size() const { return size_; }
 
     /// At most `count` bytes from `place` on; fewer where it ends before.

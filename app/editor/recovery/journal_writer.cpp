@@ -32,7 +32,7 @@ class Journal {
         DocumentPieces pieces = pieces_of(entry.document);
         const bool goes_on = journal_ != nullptr && (entry.held == nullptr || entry.held == journal_);
         if (!goes_on) return go_over_to(entry.held != nullptr ? entry.held : new_journal(), entry.facts, pieces);
-        const bool can_append = journal_->is_there() && !pieces_.empty();
+        const bool can_append = journal_->is_whole() && !pieces_.empty();
         Outcome<void> written =
             can_append && !is_too_long() ? append(entry.facts, pieces) : begin(*journal_, entry.facts, pieces);
         if (!written && can_append && is_too_long()) written = append(entry.facts, pieces);

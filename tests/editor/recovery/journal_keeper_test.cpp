@@ -67,6 +67,16 @@ TEST_F(Keeper, has_the_last_committed_document) {
     EXPECT_TRUE(is_same_document(document_of_journal(*left[0].held).value(), document(editor_)));
 }
 
+TEST_F(Keeper, begins_anew_where_another_program_cut_the_journal_off) {
+    move(0.5);
+    keeper_->finish();
+    for (const auto& entry : fs::directory_iterator(journals_)) fs::resize_file(entry.path(), 0);
+    move(1.0);
+    const auto left = left_behind();
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_TRUE(is_same_document(document_of_journal(*left[0].held).value(), document(editor_)));
+}
+
 TEST_F(Keeper, follows_undo_and_redo) {
     move(0.5);
     const core::Document once = document(editor_);
