@@ -1,6 +1,10 @@
 #include "app/editor/recovery/journal_reader.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <new>
 
@@ -72,6 +76,11 @@ void look_into(std::shared_ptr<HeldJournal> journal, LeftJournals& left) {
     left.documents.push_back({path, facts->file, facts->stamp, facts->seconds, facts->edit_count, std::move(journal)});
 }
 
+// One that another user wrote, for instance.
+bool is_kept_from_us(const fs::path& path) {
+    return faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK, AT_EACCESS) != 0 && errno == EACCES;
+}
+
 // A new journal that has not taken the place of an old one, and is too old to do so now.
 void remove_left_over(const fs::directory_entry& entry) {
     constexpr std::chrono::minutes time_to_write(10);
@@ -109,7 +118,10 @@ LeftJournals left_journals(const fs::path& folder) {
         if (entry->path().extension() == ".new") remove_left_over(*entry);
         if (entry->path().extension() != journal_ending) continue;
         try {
-            if (auto journal = HeldJournal::take(entry->path())) look_into(std::move(journal), left);
+            if (auto journal = HeldJournal::take(entry->path()))
+                look_into(std::move(journal), left);
+            else if (is_kept_from_us(entry->path()))
+                ++left.unknown_count;
         } catch (const std::bad_alloc&) {  // it stays for a session that has the memory
             ++left.unknown_count;
         }
@@ -121,10 +133,12 @@ LeftJournals left_journals(const fs::path& folder) {
 std::string words_of_unknown_journals(std::size_t count, const fs::path& folder) {
     if (count == 1)
         return core::sentence(
-            "A recovery journal in {folder} is of another version of Batten, or damaged, and cannot be read",
+            "A recovery journal in {folder} cannot be read: it is of another version of Batten or another user, or "
+            "damaged",
             {{"folder", folder.string()}});
     return core::sentence(
-        "{count} recovery journals in {folder} are of other versions of Batten, or damaged, and cannot be read",
+        "{count} recovery journals in {folder} cannot be read: they are of other versions of Batten or other users, or "
+        "damaged",
         {{"count", count}, {"folder", folder.string()}});
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor/recovery/journal_reader.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -62,9 +63,25 @@ TEST_F(Reader, removes_journals_without_a_document_and_leaves_what_it_does_not_k
 
 TEST_F(Reader, tells_of_journals_of_other_versions) {
     EXPECT_EQ(words_of_unknown_journals(1, "/state/recovery"),
-              "A recovery journal in /state/recovery is of another version of Batten, or damaged, and cannot be read");
+              "A recovery journal in /state/recovery cannot be read: it is of another version of Batten or another "
+              "user, or damaged");
     EXPECT_EQ(words_of_unknown_journals(2, "/state/recovery"),
-              "2 recovery journals in /state/recovery are of other versions of Batten, or damaged, and cannot be read");
+              "2 recovery journals in /state/recovery cannot be read: they are of other versions of Batten or other "
+              "users, or damaged");
+}
+
+TEST_F(Reader, tells_of_journals_that_this_user_may_not_read) {
+    leave(sample(), 100);
+    const fs::path theirs = folder_.write("theirs.journal", std::string(journal_head()));
+    fs::permissions(theirs, fs::perms::none);
+    fs::permissions(folder_.path(), fs::perms::all);
+    constexpr uid_t nobody = 65534;
+    const uid_t user = geteuid();
+    ASSERT_EQ(seteuid(user == 0 ? nobody : user), 0);
+    const LeftJournals left = left_journals(folder_.path());
+    ASSERT_EQ(seteuid(user), 0);
+    EXPECT_EQ(left.unknown_count, user == 0 ? 2U : 1U) << "for root the other one is another user's, too";
+    EXPECT_TRUE(fs::exists(theirs));
 }
 
 // A file system that lost what was written last fills files with zeros, or with anything.
